@@ -10,8 +10,8 @@ namespace grafverif {
 
 namespace {
 
-/// Checks if the states of an external trace form a run of the system, and determines in which states each of the given
-/// terms holds.
+/// Checks whether the states of an external trace form a run of the system, and determines in which states each of the
+/// given terms holds.
 class ExternalTraceImport {
 public:
     ExternalTraceImport(const FlatSystem& flat, const ExternalTrace& external_trace, std::vector<Id<Expr>> terms)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Checks the run that an external program returns with its verdict. The run must be a run of the system and must show
-// the verdict.
+// Validates the trace that an external program returns with its verdict: the trace must be a run of the system, and
+// this run must prove the verdict.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace grafverif {
 /// A run that an external program returned. A state has one value per variable of a FlatSystem; the values of choices
 /// are the values in the step that leaves the state.
 struct ExternalTrace {
-    std::vector<std::vector<std::int64_t>> states = {};  ///< never empty
+    std::vector<std::vector<std::int64_t>> states = {};  ///< states in the order of the run; never empty
     /// Index of the state to which the step from the last state leads back; empty for a finite run.
     std::optional<std::size_t> loop = {};
 };

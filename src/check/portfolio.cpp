@@ -66,7 +66,8 @@ private:
         bool refused = false;
         {
             std::jthread diagrams, solvers;
-            const AtEnd end{stop_};  // stops the engines before their threads are joined, also after an exception
+            const AtEnd end{stop_};  // stops the engines before the destructors join their threads, even after an
+                                     // exception
             if (!start(diagrams, [this] { by_diagrams(options_.max_memory / 4 * 3, options_.deadline); })) {
                 threaded_ = false;
                 return false;
@@ -80,7 +81,8 @@ private:
         return true;
     }
 
-    /// Decides if the solvers (PDR and BMC) start in addition to the symbolic engine, and records the decision.
+    /// Returns true if the solvers (PDR and BMC) must be started in addition to the symbolic engine, and records this
+    /// decision in `joined_`.
     bool join_solvers() {
         const Lock lock(mutex_);
         const bool joins = !stop_ && (working_ != 0 || memory_was_short());
@@ -105,7 +107,8 @@ private:
     }
 
     /// Runs the engines sequentially: first each engine for a bounded time, and then each engine up to the deadline. If
-    /// `alone` is 0, the symbolic engine has no run of bounded time. The second run of an engine restarts its search.
+    /// PortfolioOptions::alone is 0, the sequence starts with the solvers. The second run of an engine restarts its
+    /// search.
     void in_sequence() {
         constexpr std::chrono::seconds look(1), longest(20);
         const auto at_most = [this](std::chrono::seconds time, std::size_t shares) {
@@ -126,8 +129,8 @@ private:
         return (!open_.empty() || decided_elsewhere_.empty()) && !is_faulty() && !is_stopped();
     }
 
-    /// True if a property is open because the symbolic engine reached its memory limit, and this limit was less than
-    /// `max_memory`.
+    /// True if a property is undecided because the symbolic engine reached its memory limit, and this limit was less
+    /// than PortfolioOptions::max_memory.
     bool memory_was_short() const {
         return most_memory_ < options_.max_memory && can_continue() &&
                std::ranges::any_of(symbolic_.verdicts, [this](const Verdict& verdict) {
@@ -223,7 +226,7 @@ private:
         Verdict& first = place->second.first;
         if (fresh) {
             settle(verdict.about);
-            // If a property is violated, the probes for the vacuity of the property are not needed.
+            // A violated property cannot hold vacuously. Its vacuity probes are not needed.
             for (const Id<Property> id : system_.properties.ids())
                 if (verdict.outcome == Outcome::Violated && probed_by(system_.properties[id]) == verdict.property)
                     settle(id);
@@ -244,8 +247,8 @@ private:
 
     // -- the caller's thread -----------------------------------------------------------------------------------------
 
-    /// Waits until all engine threads have ended or `over()` is true. Forwards cancellation by the caller and reports
-    /// progress.
+    /// Waits until all engine threads have ended or `over()` is true. While waiting, sets `stop_` if the caller cancels
+    /// the check, and reports progress.
     template <class Over>
     void wait(const Over& over) {
         Lock lock(mutex_);
@@ -275,8 +278,8 @@ private:
         return result;
     }
 
-    /// Adds the reason of `other`, the verdict of the solvers, to `verdict`, the unknown verdict of the symbolic
-    /// engine. If one of the engines does not support the property, `verdict` is unchanged.
+    /// Adds the reason of `other`, an unknown verdict of PDR and BMC, to the reason of `verdict`, the unknown verdict
+    /// of the symbolic engine. If one of the engines does not support the property, `verdict` is unchanged.
     static void add_reason(Verdict& verdict, const Verdict& other) {
         if (verdict.obstacle == UnknownReason::Unsupported || other.obstacle == UnknownReason::Unsupported) return;
         verdict.reason = "symbolic: " + verdict.reason + "; pdr and bmc: " + other.reason;
@@ -286,7 +289,7 @@ private:
     const TransitionSystem& system_;
     const PortfolioOptions& options_;
     std::atomic<bool> stop_ = false;
-    std::atomic<std::uint64_t> worked_ = 0;  ///< number of steps of operations on decision diagrams
+    std::atomic<std::uint64_t> worked_ = 0;  ///< number of steps that operations on decision diagrams have taken
     std::vector<std::atomic<bool>>
         decided_elsewhere_;  ///< for each property of the system: true if its verdict is no longer needed
     bool threaded_ = false;  ///< true if the engines run in threads; changes only while no engine thread is running

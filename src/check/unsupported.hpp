@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Property patterns that the embedded engines for untimed models do not support.
+// States which property patterns the embedded engines for untimed models do not support.
 #pragma once
 
 #include <string>

@@ -10,8 +10,8 @@ namespace grafverif {
 
 namespace {
 
-/// Evaluates the vacuity probes of the property of `verdict`, which holds. If a probe is violated, marks the verdict as
-/// vacuous.
+/// Evaluates the vacuity probes of the property of `verdict`. Requires that this property holds. If a probe is
+/// violated, marks the verdict as vacuous.
 void apply_probes(const Table<Property>& properties, const std::vector<Verdict>& verdicts, Verdict& verdict) {
     std::string undecided;
     for (const Verdict& probe : verdicts) {

@@ -75,7 +75,7 @@ private:
     const NetworkSubsystems& parts_;
     const TimedOptions& options_;
     std::vector<SubsystemQuery> questions_ = {};
-    std::vector<SubsystemSearch> each_ = {};  // separate search of each part
+    std::vector<SubsystemSearch> each_ = {};  // each_[i]: the search of part i alone
     std::vector<OmittedSubsystem> neighbours_ = {};
     std::map<PartNumbers, SubsystemSearch> together_ = {};
     // Indices of the queries that require a search of the complete network, with the reasons.
@@ -127,8 +127,8 @@ void DecomposedCheck::search_each() {
         each_.push_back(search({part}, true, share_of(options_.deadline, parts_.count - part)));
     for (std::uint32_t part = 0; part < parts_.count; ++part) {
         const bool stopped = each_[part].verdict(timelock_probe).obstacle == UnknownReason::Stopped;
-        // The search ended after its share of the time, but the deadline has not passed. The search is repeated with
-        // the complete remaining time.
+        // The search of this part used up its share of the time limit, but the deadline of the check has not passed.
+        // Repeats the search with all the remaining time.
         if (stopped && options_.deadline && !is_over(options_.deadline))
             each_[part] = search({part}, true, options_.deadline);
         count(each_[part].result);
@@ -207,7 +207,8 @@ std::vector<std::string> DecomposedCheck::names(const PartNumbers& chosen) const
     return all;
 }
 
-/// Stores the results of `verdict` in the query; the other data of the query is unchanged.
+/// Copies outcome, reason, notes, counts and run of `verdict` to the verdict of the query. The name and the property of
+/// the query are unchanged.
 void DecomposedCheck::take(SubsystemQuery& question, Verdict verdict) const {
     Verdict& given = question.verdict;
     given.outcome = verdict.outcome;
@@ -221,11 +222,10 @@ void DecomposedCheck::take(SubsystemQuery& question, Verdict verdict) const {
     given.run = std::move(verdict.run);
 }
 
-/// Returns the outcome for which preservation must be checked. For a property that is undecided only because of a model
-/// error or inexact time, the result is the outcome that the property would have without this obstacle. If a limit
-/// ended the search, the result is an outcome that is preserved if time can pass forever in the other parts. In that
-/// case, the complete network has at least as many states as the searched parts, so that a search of the complete
-/// network would also reach the limit.
+/// Returns the outcome whose preservation must be checked. If the verdict is unknown only because of a model error or
+/// inexact time, this is the outcome that the property would have without this obstacle. If a limit ended the search,
+/// this is an outcome that is preserved if time can pass forever in the other parts. The complete network then has at
+/// least as many states as the searched parts, so a search of the complete network would also reach the limit.
 Outcome supposed(const Verdict& verdict) {
     const bool wanted = verdict.pattern == Pattern::Reachable;
     switch (verdict.obstacle) {
@@ -238,7 +238,7 @@ Outcome supposed(const Verdict& verdict) {
 }
 
 /// True if the verdict on the parts `chosen` is also the verdict on the complete network, or if the verdict on the
-/// complete network would also be unknown. Otherwise `why` receives the reason.
+/// complete network would also be unknown. Otherwise, stores the reason in `why`.
 bool DecomposedCheck::carries(const SubsystemQuery& question, const Verdict& verdict, const PartNumbers& chosen,
                               std::string& why) const {
     if (verdict.obstacle == UnknownReason::Stopped || verdict.obstacle == UnknownReason::Unsupported) return true;
@@ -248,8 +248,8 @@ bool DecomposedCheck::carries(const SubsystemQuery& question, const Verdict& ver
     return why.empty();
 }
 
-/// Converts the run of the verdict to a run of the complete network. If the result would be too long, removes the run
-/// and adds a note.
+/// Converts the run of the verdict to a run of the complete network. If the converted run would be too long, removes
+/// the run and adds a note to the verdict.
 void DecomposedCheck::show(Verdict& verdict, const SubNetwork& of, const PartNumbers& chosen, bool at_stable) const {
     if (!verdict.run) return;
     verdict.run =
@@ -341,7 +341,7 @@ void DecomposedCheck::search_complete() {
     }
 }
 
-/// Adds the steps of every chart to the operands of `property`, which has no operands.
+/// Makes all steps of all charts the operands of `property`. Requires that `property` has no operands.
 void name_steps(Network& network, Property& property) {
     for (const Id<Network::Variable> id : network.variables.ids())
         if (network.variables[id].role == Network::Role::Step)

@@ -42,7 +42,7 @@ private:
     const System& system_;
     const SymbolicOptions& options_;
     SubsystemSearches parts_;
-    /// Verdict and run of each property, as soon as they are known.
+    /// Verdict and run of each property; empty until they are known.
     std::vector<std::optional<std::pair<Verdict, std::optional<SystemRun>>>> given_ = {};
     /// Properties that require the complete system, with their reasons.
     std::map<std::uint32_t, std::string> whole_ = {};
@@ -125,9 +125,9 @@ void InterleavedCheck::answer(Id<Property> id) {
          std::move(run));
 }
 
-/// Decides `inevitable` or `leads to` in a system without clocks, if the property holds in the search and another part
-/// can move forever. Without clocks, a part that moves forever can prevent the progress of all other parts. Returns
-/// true if the verdict is decided.
+/// Decides `inevitable` or `leads to` in a system without clocks, if the property holds on the searched parts and
+/// another part can move forever. Without clocks, a part that moves forever can prevent the progress of all other
+/// parts. Returns true if this function has decided the verdict.
 bool InterleavedCheck::decide_starved(Id<Property> id, SubsystemResult& search, Verdict& verdict,
                                       const std::vector<const OmittedSubsystem*>& rest) {
     if (preservation_class_of(verdict) != PreservationClass::Unavoidable) return false;
@@ -250,8 +250,8 @@ std::vector<std::int64_t> InterleavedCheck::here(SubsystemResult& search, const 
     return made;
 }
 
-/// Continues the run `made`, at whose end the searched parts stay in one state. The other parts `rest` move, one part
-/// after another, until each of them can only wait, or until one of them moves forever.
+/// Extends the run `made`. At the end of `made`, the searched parts stay in one state. The other parts `rest` move, one
+/// part after another, until each of them can only wait, or until one of them moves forever.
 SubsystemRun InterleavedCheck::extended(SubsystemRun made, const SubsystemStep& last, const PartList& rest) {
     const std::vector<std::int64_t> so_far = replayed(parts_.flat(), made).states.back();
     for (const std::uint32_t part : rest) {

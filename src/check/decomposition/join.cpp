@@ -34,8 +34,8 @@ std::int64_t ticks(const Run& run, std::size_t first, std::size_t last) {
 std::int64_t stem_ticks(const Run& run) { return ticks(run, 0, run.loop.value_or(run.moves.size())); }
 std::int64_t loop_ticks(const Run& run) { return run.loop ? ticks(run, *run.loop, run.moves.size()) : 0; }
 
-/// Adds to `events` the events of `run` before time `end`, and the events of `run` at time 0 for every `end`. If `run`
-/// is a lasso, time must pass in its loop, and the loop is repeated until `end`.
+/// Appends to `events` all events of `run` before time `end`. Events at time 0 are appended even if `end` is 0. If
+/// `run` is a lasso, the loop of `run` is repeated until time `end`, and time must pass in this loop.
 void add_fires(const Run& run, std::int64_t end, std::vector<TimedFire>& events) {
     std::int64_t time = 0;
     for (std::size_t i = 0;; ++i) {
@@ -50,7 +50,7 @@ void add_fires(const Run& run, std::int64_t end, std::vector<TimedFire>& events)
     }
 }
 
-/// Writes events, and the delays between them, as moves of a run.
+/// Builds a run from events with times: inserts a delay between events at different times.
 class Writer {
 public:
     void wait_until(std::int64_t time) {
@@ -70,7 +70,8 @@ private:
     std::int64_t now_ = 0;
 };
 
-/// Returns the values that distinguish the states of a network.
+/// Returns the values of all variables, locations and clocks of a state, so that different states have different
+/// results.
 std::vector<std::int64_t> values_of(const NetworkState& state) {
     std::vector<std::int64_t> values = state.variables;
     for (const Id<Network::Location> location : state.locations) values.push_back(location.index);
@@ -121,7 +122,7 @@ std::optional<Run> joined(const Run& shown, const std::vector<Run>& others, Endi
 Run continued(const Network& network, Run run) {
     NetworkState state = initial_state(network);
     for (const Move& move : run.moves) perform(network, state, move);
-    std::map<std::vector<std::int64_t>, std::size_t> seen;  // maps each state to the number of moves before it
+    std::map<std::vector<std::int64_t>, std::size_t> seen;  // number of moves before each state of the run
     while (run.moves.size() <= most_moves) {
         const auto [known, fresh] = seen.emplace(values_of(state), run.moves.size());
         if (!fresh) {

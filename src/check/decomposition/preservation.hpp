@@ -17,7 +17,7 @@ enum class PreservationClass {
     Unavoidable,  ///< a statement about every maximal run
     Possible,     ///< a statement that a state with some condition is reachable from every reachable state
 };
-/// Returns the class of a verdict. Requires that the verdict is decided.
+/// Returns the class of a verdict. Requires that the outcome of the verdict is not Unknown.
 PreservationClass preservation_class_of(const Verdict& verdict);
 
 /// Facts about an omitted subsystem on which the preservation of verdicts depends.
@@ -34,7 +34,7 @@ struct OmittedSubsystem {
 };
 
 /// Returns the reason why the verdict, which was computed without `left_out`, might not apply to the complete system,
-/// or an empty string if the verdict applies. Requires that the verdict is decided.
+/// or an empty string if the verdict applies. Requires that the outcome of the verdict is not Unknown.
 std::string preservation_obstacle(const Verdict& verdict, bool at_stable,
                                   const std::vector<const OmittedSubsystem*>& left_out);
 
@@ -42,14 +42,14 @@ std::string preservation_obstacle(const Verdict& verdict, bool at_stable,
 /// returned an empty string for the verdict.
 std::string because(const Verdict& verdict, bool at_stable);
 
-/// The same functions for models with abstract time, in which subsystems do not share time. With abstract time,
-/// `settles` is true if some state of the subsystem is quiescent, and `rests` is true if the subsystem has no infinite
-/// sequence of moves.
+/// `preservation_obstacle` and `because` for models with abstract time, in which subsystems do not share time. With
+/// abstract time, `settles` is true if some state of the subsystem is quiescent, and `rests` is true if the subsystem
+/// has no infinite sequence of moves.
 std::string untimed_preservation_obstacle(const Verdict& verdict, bool at_stable,
                                           const std::vector<const OmittedSubsystem*>& left_out);
 std::string untimed_because(const Verdict& verdict, bool at_stable);
 
-/// True if `at stable` can be checked compositionally for properties of this pattern.
+/// True if properties of this pattern with `at stable` can be checked compositionally.
 bool settled_separately(Pattern pattern);
 
 /// Marks the verdict as vacuous if the property holds, its pattern is not `reachable`, and time does not pass in an

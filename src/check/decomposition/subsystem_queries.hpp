@@ -16,8 +16,7 @@ using PartNumbers = std::vector<std::uint32_t>;
 
 /// A query for one verdict.
 struct SubsystemQuery {
-    /// The property, named as its verdict; if a property is expanded (`reachable all steps`), the property for one
-    /// step.
+    /// The property, with the name of its verdict. `reachable all steps` is expanded to one property per step.
     Property property = {};
     Verdict verdict = {};
     PartNumbers reads = {};

@@ -60,8 +60,8 @@ std::optional<SubsystemRun> side_by_side(const SubsystemRun& shown, const std::v
     std::vector<RunCursor> cursors;
     for (const SubsystemRun& other : others) cursors.emplace_back(other);
     SubsystemRun made;
-    // Each time that `shown` reaches the start of its loop, the positions in all other runs are mapped to the index of
-    // the next step of `made`.
+    // For each arrival of `shown` at the start of its loop: maps the positions in all other runs at this time to the
+    // index of the next step of `made`. If the same positions recur, the loop of `made` is closed.
     std::map<std::vector<std::size_t>, std::size_t> seen;
     const bool alone = shown.loop && shown.never_waits_again();
     for (RunCursor here(shown); !here.over() && made.steps.size() <= most_steps; here.go_on()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Combines runs of interleaved parts (independent subsystems) to one run of the complete system. The complete system
+// Combines runs of interleaved parts (independent subsystems) into one run of the complete system. The complete system
 // executes each step of a part with the same choices as the part.
 #pragma once
 
@@ -30,11 +30,11 @@ struct SubsystemRun {
     bool never_waits_again() const;
 };
 
-/// Returns the concatenation of two runs. Requires that the first run is finite and that the second begins in its last
-/// state.
+/// Returns the concatenation of two runs. Requires that `first` is finite and that `second` begins in the last state of
+/// `first`.
 SubsystemRun concatenated(SubsystemRun first, const SubsystemRun& second);
 
-/// Returns the run without the steps of the kind `Waits`. Requires that the loop, if any, also contains a step of
+/// Returns the run without the steps of the kind `Waits`. If the run has a loop, this loop must also contain a step of
 /// another kind.
 SubsystemRun without_waits(const SubsystemRun& run);
 

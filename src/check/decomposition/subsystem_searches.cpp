@@ -66,8 +66,8 @@ bool SubsystemSearches::about_each(const Property& property) const {
                                [&](Id<Expr> each) { return set_by_several(each) || reads({each}).size() == 1; });
 }
 
-/// Returns the disjuncts of `property` that concern `part`. Requires that the property is decided for each part
-/// separately (see about_each).
+/// Returns the disjuncts of `property` that concern `part`. Requires about_each(property): the property is decided for
+/// each part separately.
 std::vector<Id<Expr>> SubsystemSearches::share(const Property& property, std::uint32_t part) const {
     std::vector<Id<Expr>> found = operands_of(system_.exprs, property.operands.front(), Op::Or);
     std::erase_if(found, [&](Id<Expr> each) { return !set_by_several(each) && reads({each}) != PartList{part}; });

@@ -68,7 +68,8 @@ private:
     const TransitionSystem& system_;
     const SymbolicOptions& options_;
     FlatSystem flat_;
-    const std::vector<std::uint32_t> of_;  ///< part of each symbol of main
+    const std::vector<std::uint32_t> of_;  ///< part of each symbol of the main module; no_part for a symbol of several
+                                           ///< parts
     std::map<PartList, SubsystemResult> searches_ = {};
     std::uint64_t bytes_ = 0;
     double seconds_ = 0;

@@ -73,7 +73,7 @@ std::optional<std::vector<std::vector<bool>>> read_witness(const Circuit& circui
     if (line.starts_with('b') || line.starts_with('j')) line = next_line(text);
     const auto latches = bits_of(line);
     if (!latches || latches->size() != numbering.latches.size()) return {};
-    if (std::ranges::find(*latches, true) != latches->end()) return {};  // all latches are initially 0
+    if (std::ranges::find(*latches, true) != latches->end()) return {};  // the initial value of every latch must be 0
     std::vector<std::vector<bool>> run;
     while (!text.empty()) {
         line = next_line(text);

@@ -18,8 +18,8 @@ constexpr std::string_view mark = "grafverif: ";
 /// Maximum number of values that are read from a trace; further states are ignored.
 constexpr std::size_t most_values = 50'000'000;
 
-/// Returns the sections of the output between adjacent markers, by the name in the first marker. The text after the
-/// last marker is excluded, because it may be incomplete.
+/// Divides the output at its markers. Maps the name in each marker to the text between this marker and the next one.
+/// The text after the last marker is excluded, because it may be incomplete.
 std::unordered_map<std::string, std::vector<std::string_view>> sections(std::string_view text) {
     std::unordered_map<std::string, std::vector<std::string_view>> found;
     for (std::size_t at = text.find(mark); at != std::string_view::npos;) {
@@ -43,7 +43,7 @@ std::string_view trimmed_line(std::string_view& text) {
     return line;
 }
 
-/// Returns the result of each specification in a section of the output: true or false.
+/// Returns the results of all specifications in a section of the output, in their order: true or false.
 std::vector<bool> truths(std::string_view section) {
     std::vector<bool> found;
     while (!section.empty()) {
@@ -64,8 +64,8 @@ public:
         for (const FlatSystem::Variable& variable : flat.variables) now_.push_back(variable.type.low);
     }
 
-    /// Returns the trace in a section, with its loop only if `repeats` is true. The result is empty if there is no
-    /// trace, or if the trace has an invalid value.
+    /// Returns the trace in a section. The loop of the trace is included only if `repeats` is true. The result is
+    /// nullopt if the section contains no trace, or if the trace has an invalid value.
     std::optional<ExternalTrace> read(std::string_view section, bool repeats) {
         bool in_trace = false;
         while (!section.empty()) {
@@ -102,7 +102,7 @@ private:
 
     bool assign(std::string_view name, std::string_view value) {
         const auto place = places_.find(std::string(name));
-        if (place == places_.end()) return true;  // an unknown name is the name of a definition
+        if (place == places_.end()) return true;  // the name of a DEFINE, whose value is not needed
         const auto number = value_of(place->second, value);
         if (number) now_[place->second.index] = *number;
         return number.has_value();
@@ -138,8 +138,8 @@ private:
     std::optional<std::size_t> loop_ = {};
 };
 
-/// Reads the number of states in a line such as `reachable states: 19456 (2^14.25) out of ...`. Ignores a large number
-/// that NuSMV has rounded (`1.2e+21`).
+/// Reads the number of states in a line such as `reachable states: 19456 (2^14.25) out of ...`. The result is empty if
+/// NuSMV has rounded the number (`1.2e+21`).
 std::string state_count(std::string_view section) {
     constexpr std::string_view before = "reachable states: ";
     const std::size_t at = section.find(before);
@@ -174,7 +174,8 @@ public:
         if (program_result.end != ProgramResult::End::Signalled) sections_ = sections(program_result.out);
     }
 
-    /// Returns a section, or an empty string if there is no such section or there are several.
+    /// Returns the section with the name `name`. Returns an empty string if no section or several sections have this
+    /// name.
     std::string_view section(const std::string& name) const {
         const auto found = sections_.find(name);
         return found == sections_.end() || found->second.size() != 1 ? std::string_view() : found->second.front();
@@ -198,8 +199,8 @@ struct NusmvQuery {
     const Property& property;
 };
 
-/// Validates the result of the program, sets the verdict, and returns the counterexample or witness that the program
-/// printed, if there is one.
+/// Validates the result of the program and sets the verdict. Returns the counterexample or witness that the program
+/// printed, or nullopt if it printed none.
 std::optional<SystemRun> validated(Verdict& verdict, const NusmvOutput& answers, const std::string& name,
                                    const NusmvQuery& question, const ProgramResult& program_result) {
     const std::vector<bool> truths = answers.truths_of(name);

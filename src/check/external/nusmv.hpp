@@ -25,14 +25,15 @@ std::string nusmv_commands(const std::string& model, const SystemSpelling& spell
 struct NusmvResult {
     std::vector<Verdict> verdicts = {};               ///< verdicts in the order of `properties`
     std::vector<std::optional<SystemRun>> runs = {};  ///< run of each verdict
-    std::string states = {};                          ///< number of states, in decimal, if NuSMV prints it exactly
+    std::string states = {};                          ///< number of states, in decimal; empty if NuSMV does not print
+                                                      ///< the exact number
     bool total = false;  ///< true if NuSMV has proved that each reachable state has a successor
 };
 
 /// Reads the results of the commands of nusmv_commands for the properties of `system`. If the program has no result for
 /// a property, the verdict on this property is unknown (`failed` or `stopped`); if the model is not total, all verdicts
-/// are unknown. The verdict is also unknown (`engine-disagrees`) if the program reports a specification as false
-/// without a run of the system that shows it, or if a property has two verdicts.
+/// are unknown. The verdict is also unknown (`engine-disagrees`) in two cases: the program reports a specification as
+/// false and its trace is not a run of the system that proves this, or a property has two verdicts.
 NusmvResult read_nusmv(const TransitionSystem& system, const SystemSpelling& spelling,
                        const std::vector<std::size_t>& properties, const ProgramResult& program_result);
 

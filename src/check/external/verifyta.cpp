@@ -53,7 +53,8 @@ ExternalResult undecided(UnknownReason obstacle, std::string reason) {
     return {Outcome::Unknown, obstacle, std::move(reason)};
 }
 
-/// Returns the result for a program that did not run to completion, or nullopt for a program that exited.
+/// Returns the reason for an unknown verdict if a signal, a time limit or an output limit ended the program. Returns
+/// nullopt if the program exited.
 std::optional<ExternalResult> ended_early(const ProgramResult& result) {
     switch (result.end) {
     case ProgramResult::End::Exited: return {};
@@ -74,7 +75,7 @@ Verdict verdict_on(const Network& network, const ExternalQuery& question) {
     return verdict;
 }
 
-/// True for the query about action races, which states that the flag for races is never set.
+/// True if the query concerns action races: its property states that the flag for races is never set.
 bool queries_race(const Network& network, const ExternalQuery& question) {
     const Property& property = network.properties[question.property];
     if (!network.race.valid() || property.pattern != Pattern::Never || property.at_stable) return false;

@@ -26,12 +26,12 @@ struct ExternalQuery {
     /// Name of the verdict: the name of the property; for a property `S` of the form `reachable all steps`, `S.X7` for
     /// step 7.
     std::string name = {};
-    std::string formula = {};  ///< formula; empty if the language of the program cannot express the property
+    std::string formula = {};  ///< empty if the language of verifyta cannot express the property
     std::string reason = {};   ///< reason for an empty formula
 };
 
 struct ExternalOptions {
-    std::vector<std::string> properties = {};  ///< names of the properties to check; all if empty
+    std::vector<std::string> properties = {};  ///< names of the properties to check; an empty list selects all
     /// Runs the program on the model and the given formula.
     std::function<ProgramResult(const std::string& formula)> run = {};
 };
@@ -46,8 +46,8 @@ struct ExternalResult {
 ExternalResult read_verifyta(const ProgramResult& result);
 
 /// Returns one verdict per selected query, in order, without runs. No UPPAAL formula expresses `no timelock`; if the
-/// model does not declare `no timelock`, an unknown verdict for it is added. If stored actions of the model may race,
-/// verdicts of verifyta are accepted only if verifyta also proves the property `no_race`.
+/// model does not declare the property `no timelock`, a verdict Unknown for `no timelock` is added. If stored actions
+/// of the model may race, verdicts of verifyta are accepted only if verifyta also proves the property `no_race`.
 std::vector<Verdict> check_verifyta(const Network& network, std::span<const ExternalQuery> questions,
                                     const ExternalOptions& options);
 

@@ -29,7 +29,8 @@ bool samples(const AbstractRun& run, const AbstractState& state) {
 
 std::vector<Sampling> samplings(const AbstractRun& run) {
     std::vector<Sampling> found;
-    std::vector<std::size_t> last(run.network.processes.size(), 0);  // last sampling of each PLC: its index plus 1
+    std::vector<std::size_t> last(run.network.processes.size(), 0);  // per PLC: index in `found` of its last sampling,
+                                                                     // plus 1; 0 before the first sampling
     for (std::size_t at = 0; at < run.path.size(); ++at) {
         const Network::Controller* const controller = controller_of(run, run.path[at]);
         if (controller == nullptr) continue;
@@ -46,7 +47,7 @@ std::vector<Sampling> samplings(const AbstractRun& run) {
     for (Sampling& sampling : found)
         for (std::size_t i = 0; i < run.instances.size(); ++i) {
             const std::size_t valuations = run.instances[i].valuations.size();
-            if (valuations == 0) continue;  // the instance is not Chosen
+            if (valuations == 0) continue;  // the level of the instance is not Chosen (arbitrary outputs)
             const Word all = ~Word{0} >> (64 - valuations);
             if ((sampling.possible[i] & all) == all) sampling.possible[i] = ~Word{0};
         }

@@ -20,16 +20,16 @@ struct AbstractRun {
     const std::vector<AbstractState>& path;
 };
 
-/// One sampling of inputs by a PLC. `possible` contains, for each instance, the valuations that are possible at the end
-/// of the PLC cycle.
+/// One sampling of inputs by a PLC. `possible` contains, for each instance, the output valuations that are consistent
+/// with all edges of the PLC cycle. Bit k of the word represents valuation k.
 struct Sampling {
     std::size_t at = 0;  // index of the sampling in AbstractRun::path
     Id<Network::Process> plc = {};
     std::vector<timed::Word> possible = {};
 };
 
-/// Returns all samplings in order. Edges of the PLC cycle after the sampling reduce the possible valuations of the
-/// sampling.
+/// Returns all samplings in order. Each later edge of the same PLC cycle removes the valuations that contradict the
+/// edge from the possible valuations of the sampling.
 std::vector<Sampling> samplings(const AbstractRun& run);
 
 }  // namespace grafverif

@@ -52,8 +52,8 @@ std::uint32_t AbstractStates::successor(std::size_t move) {
     return states_->add(moves_.words.data() + move * machine_->layout().words).state;
 }
 
-/// True if the expanded state permits the use of the abstraction: it has no model error and no race, not too many
-/// combinations of inputs, and each PLC is in W or has an enabled urgent edge.
+/// True if the expanded state permits the use of the abstraction: the state has no model error, no race and not too
+/// many combinations of inputs, and each PLC is in its waiting location W or has an enabled urgent edge.
 bool AbstractStates::is_supported() const {
     if (moves_.fault || moves_.cut) return false;
     const timed::Layout& layout = machine_->layout();

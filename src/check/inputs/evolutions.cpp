@@ -23,10 +23,11 @@ using VariableId = Id<Network::Variable>;
 using Bits = PlcCycle::Bits;
 using Valuation = std::vector<bool>;
 
-constexpr std::size_t most_gates = 1U << 20U;  // maximum number of gates for the changes of one group
-constexpr std::size_t most_edges = 1024;       // maximum number of changes and of valuations of a group
+constexpr std::size_t most_gates = 1U << 20U;  // maximum size of the circuit that represents the changes of one group
+constexpr std::size_t most_edges = 1024;       // maximum number of changes of a group; also its maximum number of
+                                               // valuations
 
-/// The variables whose values the proof considers jointly.
+/// A group of variables: the proof considers the joint values (valuations) of these variables.
 struct Group {
     struct Change {
         std::size_t from = 0, to = 0;  // indices of valuations
@@ -34,7 +35,7 @@ struct Group {
 
     std::vector<VariableId> variables = {};
     Bits before = {}, next = {}, first = {};
-    std::vector<Valuation> valuations = {};  // the reachable valuations; empty if there are too many
+    std::vector<Valuation> valuations = {};  // the reachable valuations; empty if there are more than `most_edges`
     std::vector<Change> changes = {};
     bool is_steady = false;
 };
@@ -63,7 +64,8 @@ public:
           monitor_(monitor),
           cycle_(network, controller, shared) {}
 
-    /// `constant` contains the variables that no process assigns from some time on, except for the PLC.
+    /// Returns true if the evolutions of the PLC end. `constant` contains the variables that, from some time on, no
+    /// process except for the PLC assigns.
     bool run(const std::set<VariableId>& constant) {
         if (!cycle_.build()) return false;
         for (const auto& [variable, bits] : cycle_.before)
@@ -101,7 +103,7 @@ private:
             open.pop_front();
             if (next != cycle_.next.end()) take(next->second);
         }
-        std::map<VariableId, Group> groups;  // by a representative
+        std::map<VariableId, Group> groups;  // the key is a representative of the group
         const std::map<VariableId, VariableId> joined = joined_steps();
         for (const VariableId variable : relevant) {
             if (!kept_.contains(variable)) continue;
@@ -142,9 +144,11 @@ private:
         return steps;
     }
 
-    /// Finds the reachable valuations of the group and its changes, for arbitrary values of all other variables.
+    /// Finds the reachable valuations of the group and the changes between them. All other variables have arbitrary
+    /// values.
     void find_changes(Group& group) {
-        // The valuations that other processes assign are reachable from the first valuations of a single variable.
+        // Values that other processes assign are taken into account only in a group of one variable. A larger group
+        // with such a variable has no valuations and is never steady.
         if (group.variables.size() > 1 &&
             std::ranges::any_of(group.variables, [&](VariableId variable) { return shared_.contains(variable); }))
             return;
@@ -174,7 +178,8 @@ private:
         group.valuations = std::move(valuations);
     }
 
-    /// Adds the ranges of all variables and the reachable values of the instances.
+    /// Adds two assumptions to the solver: each variable is in its range, and the outputs of each instance have a
+    /// reachable valuation.
     void add_ranges(pdr::Solver& solver) {
         Gates& gates = cycle_.circuit.gates;
         for (const auto& [variable, bits] : cycle_.before)
@@ -183,8 +188,8 @@ private:
             solver.add(std::array{solver.of(is_reachable(gates, instance, cycle_.before))});
     }
 
-    /// True if a cycle may have a model error in a reachable valuation of each group. The valuations include those after
-    /// cycles with a model error.
+    /// True if a cycle may have a model error in a reachable valuation of each group. The reachable valuations include
+    /// valuations that only a cycle with a model error reaches.
     bool may_have_error() {
         pdr::Solver solver(cycle_.circuit, monitor_);
         add_ranges(solver);
@@ -202,10 +207,10 @@ private:
         return result;
     }
 
-    /// Returns the values of `bits` under the assumptions; at most `most_edges` + 2 values.
+    /// Returns the values that `bits` can have under the assumptions, at most `most_edges` + 2 values.
     static std::vector<Valuation> values_of(pdr::Solver& solver, std::vector<int> assumptions, const Bits& bits) {
         std::vector<Valuation> found;
-        const int others = solver.fresh();  // true if the values that were found are excluded
+        const int others = solver.fresh();  // assumption that excludes the values that are already found
         assumptions.push_back(others);
         for (const Literal bit : bits) solver.of(bit);
         while (found.size() < most_edges + 2 && solver.solve(assumptions)) {
@@ -221,7 +226,7 @@ private:
         return found;
     }
 
-    /// True if the changes contain a cycle that is possible for constant values of the steady variables.
+    /// True if the graph of the changes contains a cycle that is possible for constant values of the steady variables.
     bool has_cycle(const Group& group) {
         if (group.changes.empty()) return false;
         Bits roots{cycle_.enabled};
@@ -233,7 +238,7 @@ private:
         Circuit copies;
         Gates& gates = copies.gates;
         std::map<VariableId, Bits> constant;
-        std::map<std::uint32_t, Literal> shared;  // per node
+        std::map<std::uint32_t, Literal> shared;  // maps each node of the cycle to its copy
         for (const VariableId variable : steady_)
             for (const Literal bit : cycle_.before.at(variable)) {
                 const Literal copy = gates.source();
@@ -275,7 +280,8 @@ private:
         return solver.solve({}, chosen);
     }
 
-    /// Returns the condition that the group changes to the valuation `to`, while all steady variables are constant.
+    /// Returns the condition that a PLC cycle changes the group to the valuation `to`, while all steady variables are
+    /// constant.
     Literal copy_of(Gates& gates, const std::vector<std::uint32_t>& nodes,
                     const std::map<std::uint32_t, Literal>& sources, const Group& group, const Valuation& to) const {
         std::map<std::uint32_t, Literal> copies = sources;
@@ -366,7 +372,7 @@ private:
 std::optional<bool> evolutions_end(const Network& network, const std::vector<AbstractableProcess>& instances,
                                    const pdr::SolverLimits& limits) {
     const std::vector<TimerRequest> requests = requests_of(network);
-    std::set<Id<Network::Process>> open;  // PLCs whose evolutions may not end
+    std::set<Id<Network::Process>> open;  // PLCs for which it is not yet proved that evolutions end
     for (const Network::Controller& controller : network.controllers) open.insert(controller.process);
     pdr::LimitMonitor monitor(limits);
     const auto ends = [&](const Network::Controller& controller) {

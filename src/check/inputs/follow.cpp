@@ -22,11 +22,11 @@ using timed::Word;
 
 using Signature = std::vector<std::int64_t>;
 
-/// A stage of the abstract run, with the requirements for reaching the next stage.
+/// A stage of the abstract run: a section with constant values of the steps and internal variables (the signature).
 struct Stage {
     Signature signature = {};
-    /// Per instance: the sets of valuations that the samplings of the stage require. A sampling that permits all
-    /// valuations has no set.
+    /// Per instance: for each sampling of the stage, the set of output valuations that the sampling permits. Sets of
+    /// all valuations are omitted.
     std::vector<std::vector<Word>> goals = {};
     std::vector<bool> moves = {};  // per instance: true if the run contains a move of the instance in the stage
 };
@@ -45,7 +45,8 @@ std::vector<Id<Network::Variable>> signature_variables(const Network& network) {
 
 namespace {
 
-/// Returns the stages. A sampling that changes the signature belongs to the stage before the change.
+/// Returns the stages. A sampling that changes the signature (the steps and internal variables) belongs to the stage
+/// before the change.
 std::vector<Stage> stages_of(const AbstractRun& run, const std::vector<Id<Network::Variable>>& signature) {
     std::vector<Stage> stages;
     const auto begin = [&](const std::vector<std::int64_t>& variables) {
@@ -119,9 +120,10 @@ private:
         auto operator<=>(const Open&) const = default;
     };
 
-    /// Removes the next state to expand; returns nullopt if there is none. Every second state belongs to the last stage
-    /// with open states, and the others belong to all stages in turn. Otherwise states of the last stage could use up
-    /// the limit although a run to a violation reaches this stage from other states of an earlier stage.
+    /// Removes the next state to expand; returns nullopt if there is none. Every second returned state belongs to the
+    /// last stage with open states, and all other returned states belong to the stages in turn. Without this
+    /// alternation, the search could reach the state limit with states of the last stage. But a run to a violation may
+    /// reach this stage from other states of an earlier stage.
     std::optional<std::size_t> next() {
         std::size_t stage = is_turn_of_last_ ? stages_.size() - 1 : turn_;
         is_turn_of_last_ = !is_turn_of_last_;
@@ -145,8 +147,8 @@ private:
         return differing;
     }
 
-    /// Returns the last stage after `stage`, the stage of the predecessor, whose signature the state has. If there is
-    /// no such stage, returns `stage`.
+    /// Returns the last stage after `stage` whose signature is equal to that of the state; returns `stage` if there is
+    /// no such stage. `stage` is the stage of the predecessor state.
     std::size_t stage_of(const Word* words, std::size_t stage) const {
         for (std::size_t later = stages_.size(); later-- > stage + 1;)
             if (distance(words, later) == 0) return later;
@@ -166,9 +168,9 @@ private:
         }
     }
 
-    /// True if the process may move. An autonomous Chosen instance moves only if its outputs are not in all goals of
-    /// the stage. Other autonomous instances move only if they move in the stage, unless all moves are permitted. All other
-    /// processes move freely.
+    /// True if the process may move. An autonomous instance of the level Chosen moves only if some sampling of the
+    /// stage does not permit its current outputs. Other autonomous instances move only if they move in this stage of
+    /// the abstract run, unless PanelMoves::Any permits all moves. All other processes move freely.
     bool may_move(const Word* at, std::size_t stage, Id<Network::Process> process) const {
         const std::size_t i = instance_of_[process.index];
         if (i == none || !run_.instances[i].autonomous) return true;
@@ -194,8 +196,8 @@ private:
         if (!urgent && !shown_ && machine_.delay(now_.data())) add(now_.data(), node, stage, Delay{1});
     }
 
-    /// Returns the instances that the last reached stage constrains. If there are none, returns the instances that the
-    /// stage before it constrains, or else those of the first stage with a constraint.
+    /// Returns the instances that the last reached stage constrains. If this stage constrains no instance, returns the
+    /// instances of the previous stage, or else the instances of the first stage with a constraint.
     std::vector<std::size_t> blamed() const {
         const auto constrained = [&](const Stage& stage) {
             std::vector<std::size_t> found;
@@ -219,15 +221,15 @@ private:
     timed::PropertyQueries questions_;
     std::vector<Id<Network::Variable>> signature_;
     std::vector<Stage> stages_;
-    std::vector<std::size_t> instance_of_;  // instance of each process, or none
+    std::vector<std::size_t> instance_of_;  // index of the instance of each process; `none` for other processes
     FoundStates states_ = FoundStates(layout_);
-    // Per stage: the states that are not expanded.
+    // Per stage: the states that are not expanded yet.
     std::vector<std::priority_queue<Open, std::vector<Open>, std::greater<>>> open_;
-    std::size_t turn_ = 0;  // stage that is next in turn
+    std::size_t turn_ = 0;  // the search uses the stages in turn; this is the next one
     bool is_turn_of_last_ = true;
     std::size_t last_stage_ = 0;
     std::optional<std::size_t> shown_ = {};
-    std::vector<Word> now_ = {};  // the state that is expanded
+    std::vector<Word> now_ = {};  // the state whose moves are computed
     timed::Moves moves_ = {};
     timed::PropertyMonitor::Registers registers_ = {};
 };

@@ -19,7 +19,7 @@ public:
     FoundStates(FoundStates&&) = delete;
 
     /// Adds a state and returns its number; returns nullopt if the state has already been added with the same `mark`.
-    /// `parent` is the number of the state before `move`. The first added state is the initial state.
+    /// `parent` is the number of the state in which `move` starts. The first state to be added is the initial state.
     std::optional<std::size_t> add(const timed::Word* words, std::size_t parent, std::size_t mark, const Move& move);
 
     std::size_t size() const { return states_.size(); }
@@ -38,8 +38,8 @@ private:
 
     const timed::Layout& layout_;
     std::vector<Node> nodes_ = {};
-    PackedStates states_;                  // the stored words of each state, and its mark
-    std::vector<timed::Word> added_ = {};  // the state that `add` adds
+    PackedStates states_;                  // the stored words and the mark of each state
+    std::vector<timed::Word> added_ = {};  // buffer of `add`: the packed form of the new state
 };
 
 }  // namespace grafverif

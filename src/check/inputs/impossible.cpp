@@ -29,7 +29,7 @@ std::vector<std::vector<std::size_t>> joint_groups(const std::vector<Abstractabl
         if (levels[i] == InputLevel::Complete) continue;
         std::vector<std::size_t> group{i};
         groups.push_back(group);
-        if (levels[i] != InputLevel::Chosen) continue;  // the processes that it reads are not Chosen
+        if (levels[i] != InputLevel::Chosen) continue;  // only groups of Chosen instances have several members
         for (std::size_t next = 0; next < group.size(); ++next)
             for (std::size_t writer = 0; writer < instances.size(); ++writer) {
                 if (levels[writer] != InputLevel::Chosen || std::ranges::find(group, writer) != group.end()) continue;
@@ -46,7 +46,7 @@ std::vector<std::vector<std::size_t>> joint_groups(const std::vector<Abstractabl
 
 namespace {
 
-/// A group of processes of the network, represented by the set of states that the group can have if the variables that
+/// A group of processes of the network, represented by the set of states that the group can have. The variables that
 /// other processes write have fixed values.
 class ProcessGroup {
 public:
@@ -55,7 +55,7 @@ public:
         InputLevel level = {};
     };
 
-    /// `known` contains the variables with fixed values that other processes write.
+    /// `known` contains the variables of other processes whose values are fixed.
     ProcessGroup(const Network& complete, const std::vector<Member>& members, std::int64_t unit,
                  const std::set<Id<Network::Variable>>& known, const FollowLimits& limits)
         : network_(only(complete, members, unit, known)),
@@ -70,8 +70,8 @@ public:
         states_ = {timed::packed_initial(network_, machine_.layout())};
     }
 
-    /// Continues in the states of `other`, a group of the same members with other guards and therefore possibly with
-    /// another layout.
+    /// Replaces the states of this group by the states of `other`. `other` has the same members, but other guards, and
+    /// therefore possibly another layout of the states.
     void continue_in(const ProcessGroup& other) {
         const timed::Layout &from = other.machine_.layout(), &to = machine_.layout();
         const std::vector<Word> initial = timed::packed_initial(network_, to);
@@ -120,16 +120,17 @@ public:
         }
     }
 
-    /// Adds the states that are reached by any delays.
+    /// Adds all states that are reachable by delays and edges.
     void wait() { close(true); }
 
-    /// Keeps only states in which the member has one of the valuations, possibly after moves.
+    /// Adds all states that are reachable by edges. Then keeps only states in which the member has one of the
+    /// valuations in `possible`.
     void show(std::size_t member, Word possible) {
         move();
         keep(member, possible);
     }
 
-    /// Keeps only states in which the member has one of the valuations.
+    /// Keeps only states in which the member has one of the valuations in `possible`.
     void keep(std::size_t member, Word possible) {
         const AbstractableProcess& process = *members_[member];
         std::erase_if(states_, [&](const std::vector<Word>& words) {
@@ -196,9 +197,10 @@ private:
         return network;
     }
 
-    /// Reduces the guard to the conjuncts over known variables. The other conjuncts are assumed to be true. The edge
-    /// must be taken only if they are true; therefore, the edge is no longer urgent. A conjunct that reads only
-    /// variables of observers does not change the urgency, because it is true whenever time passes.
+    /// Reduces the guard to the conjuncts over known variables. The other conjuncts are assumed to be true. An urgent
+    /// edge must be taken only if these other conjuncts are true; therefore, the edge is no longer urgent. A conjunct
+    /// that reads only variables of observers does not change the urgency, because the conjunct is true whenever time
+    /// passes.
     static void keep_known_conjuncts(Network& network, Network::Edge& edge,
                                      const std::set<Id<Network::Variable>>& known,
                                      const std::set<Id<Network::Variable>>& of_observers) {
@@ -221,7 +223,7 @@ private:
         return !moves_.urgent && machine_.delay(words.data());
     }
 
-    /// Adds all states that are reachable by edges, without the passing of time.
+    /// Adds all states that are reachable by edges, without delays.
     void move() { close(false); }
 
     /// Adds all states that are reachable by edges and, if `waits` is true, by delays.
@@ -266,10 +268,10 @@ std::set<Id<Network::Variable>> known_variables(const AbstractRun& run) {
             if (run.network.variables[variable].role != Network::Role::Flag && !run.network.variables[variable].scratch)
                 known.insert(variable);
     }
-    return known;  // a Chosen instance has no edges in this network and therefore writes nothing
+    return known;  // an instance of the level Chosen has no edges in this network and therefore writes no variable
 }
 
-/// True if every PLC is in W and stable.
+/// True if every PLC is in its waiting location W and in a stable situation.
 bool is_stable(const AbstractRun& run, const NetworkState& state) {
     return std::ranges::all_of(run.network.controllers, [&](const Network::Controller& controller) {
         return state.locations[controller.process.index] == controller.waiting &&
@@ -323,14 +325,15 @@ private:
             if (!is_chosen(m)) processes.match(m, state);
     }
 
-    /// Executes the processes along the path from position `begin`, at which the processes have the given states.
-    /// Returns the first impossible position.
+    /// Executes the processes along the path from position `begin` on, starting in the current states of `processes`.
+    /// Returns the first position that the processes cannot perform.
     std::optional<std::size_t> first_impossible(ProcessGroup& processes, std::size_t begin) const {
         if (waits_) processes.wait();
         auto next = samplings_.begin();
         std::map<Id<Network::Process>, const Sampling*> sampled;  // per PLC, its last sampling
-        // A PLC samples each change at once. Therefore, an instance is assumed to have the sampled valuation while time
-        // passes in a stable situation. (The abstract run may omit samplings without effect.)
+        // A PLC samples each change of an input without delay. Therefore, while time passes in a stable situation, an
+        // instance is assumed to have the valuation that was sampled last. (The abstract run may omit samplings without
+        // effect.)
         const auto keep_sampled = [&](const NetworkState& state) {
             if (!is_stable(abstract_, state)) return;
             for (const auto& [plc, sampling] : sampled)
@@ -362,8 +365,8 @@ private:
         return {};
     }
 
-    /// Returns the greatest position from which the path is impossible in all states of the processes. If a position
-    /// has this property, all earlier positions have it.
+    /// Returns the greatest position such that the processes cannot perform the path from this position on, from any of
+    /// their states. If a position has this property, all earlier positions also have it.
     std::size_t since(ProcessGroup& processes, const std::vector<InputLevel>& levels) const {
         ProcessGroup free = processes_at(levels, {});  // other variables may have any values
         free.wait();

@@ -70,17 +70,17 @@ public:
     }
 
 private:
-    /// SingleStates: properties about single states. Evolution, Passing: `no timelock` and `no deadlock`, with
-    /// ChoiceLifetime::Evolution or ChoiceLifetime::Instant. Possible: `always possible`. Response: `leads to` and
-    /// `inevitable`.
+    /// Properties that a task decides. SingleStates: properties about single states. Evolution, Passing: `no timelock`
+    /// and `no deadlock`, with ChoiceLifetime::Evolution or ChoiceLifetime::Instant. Possible: `always possible`.
+    /// Response: `leads to` and `inevitable`.
     enum class Kind : std::uint8_t { SingleStates, Evolution, Passing, Possible, Response };
 
-    /// Properties to decide on one abstraction, as indices of verdicts.
+    /// A task: properties to decide on one abstraction. The properties are indices of verdicts.
     struct Task {
         Levels levels = {};
         std::vector<std::size_t> verdicts = {};
         std::size_t rounds = 0;
-        bool coarse = false;  // true if instances that read the loop, and timers, are also abstracted
+        bool coarse = false;  // true if timers and the instances that read variables of the loop are also abstracted
         Kind kind = Kind::SingleStates;
         bool rounded = false;      // true if clock bounds of observers are rounded to the unit of all other processes
         std::size_t searches = 0;  // number of earlier searches for these properties in the current round
@@ -88,7 +88,7 @@ private:
 
     bool has_observer() const { return observed_.processes.size() != loop_.processes.size(); }
     bool stopped() const { return is_over(deadline_, options_.stop); }
-    /// Returns the maximum number of states of a search for the task that the bound of the round does not limit.
+    /// Returns the maximum number of states of a search for the task, without the bound of the current round.
     std::uint64_t bound_of(const Task& task) const {
         return std::min(options_.max_states, task.coarse ? limits_.coarse_states : limits_.states);
     }
@@ -117,8 +117,9 @@ private:
     bool search_for_runs(std::uint64_t states);
     Levels first_levels(const Property& property, bool coarse) const;
     void begin_with_known(const Property& property, Levels& levels) const;
-    /// Reason why the search of a task ended without a verdict. RoundedRun: the search found a spurious run in a
-    /// network with rounded clock bounds.
+    /// Reason why the search of a task ended without a verdict. Limit: a limit was reached. SpuriousRun: the complete
+    /// network may not have the run that the search found. RoundedRun: as SpuriousRun, in a network with rounded clock
+    /// bounds.
     enum class End : std::uint8_t { Limit, SpuriousRun, RoundedRun };
     void refine(std::size_t verdict, const Task& task, End end, const Levels& levels, std::vector<Task>& tasks) const;
     void search(const Task& task);
@@ -156,23 +157,24 @@ private:
     const std::vector<AbstractableProcess> instances_;
     const Network observed_;
     const Network complete_;  // complete network in its longest time unit
-    // Complete network in a longer time unit (in_longer_unit). Searches for runs use it first, because it has fewer
-    // states.
+    // Complete network in a longer time unit (in_longer_unit). Searches for runs use `stricter_` before `complete_`,
+    // because `stricter_` has fewer states.
     const Network stricter_;
     std::vector<std::set<std::uint32_t>> writers_;  // processes that write each variable of observed_
     std::deque<Task> tasks_ = {}, postponed_ = {};
     std::vector<std::size_t> explored_ = {};  // verdicts for which `novelty_` searches, in the order of its properties
     std::optional<NoveltySearch> novelty_ = {};
     std::optional<PossibleProof> possible_ = {};
-    // True if it is proved that time diverges if instances that need not move (AbstractableProcess::can_rest) do not
-    // move.
+    // True if it is proved that time diverges in all runs in which the instances that need not move
+    // (AbstractableProcess::can_rest) stay in their locations.
     bool time_diverges_ = false;
-    // Per verdict: the levels with which the symbolic engine continues; empty if it cannot continue.
+    // Per verdict: the abstraction levels with which the symbolic engine continues the search; empty if it cannot
+    // continue.
     std::map<std::size_t, Levels> symbolic_levels_ = {};
     std::map<std::size_t, int> symbolic_calls_ = {};
     double symbolic_seconds_ = 0;
     const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-    std::optional<bool> evolutions_end_ = {};  // result of evolutions_end; empty if it is not computed yet
+    std::optional<bool> evolutions_end_ = {};  // result of the function evolutions_end; empty if not computed yet
     std::optional<bool> takes_time_ = {};      // premise of prove_response; empty if not computed yet
     std::uint64_t round_ = 0;                  // bound of the searches of the current round
     Deadline deadline_ = {};

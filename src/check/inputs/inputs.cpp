@@ -29,7 +29,8 @@ void InputAbstractionCheck::collect() {
         if (is_limited && is_about_passing(verdict)) passing.verdicts.push_back(k);
         if (!verdict.about.valid()) continue;
         const Property& property = observed_.properties[verdict.about];
-        // A property with an observer has another pattern in the loop; its proof would have to include the observer.
+        // If a property has an observer, the property of the same name in `loop_` has another pattern. A proof of the
+        // property would have to include the observer.
         const bool is_of_loop = std::ranges::any_of(loop_.properties, [&](const Property& of_loop) {
             return of_loop.name == property.name && of_loop.pattern == property.pattern;
         });
@@ -54,7 +55,7 @@ void InputAbstractionCheck::collect() {
         task.verdicts.push_back(k);
     }
     for (auto& [order, task] : groups) tasks_.push_back(std::move(task));
-    // True if a property is open whose proof requires that time diverges.
+    // True if the proof of an undecided property requires that time diverges.
     const bool progress = !possible.verdicts.empty() || !response.verdicts.empty();
     if (!possible.verdicts.empty()) tasks_.push_front(std::move(possible));
     if (!response.verdicts.empty()) tasks_.push_front(std::move(response));
@@ -62,8 +63,8 @@ void InputAbstractionCheck::collect() {
     else if (!passing.verdicts.empty()) tasks_.push_back(std::move(passing));
 }
 
-/// Searches for runs of the complete loop. Returns false if another round would find no further run. A loop with
-/// observers is not searched, because observers multiply the number of states.
+/// Searches the complete loop for runs that decide a property. Returns false if the next round would find no further
+/// run. The function does not search a loop with observers, because observers multiply the number of states.
 bool InputAbstractionCheck::explore() {
     const std::uint64_t states = std::min(round_, limits_.explored);
     const bool looks =
@@ -74,7 +75,7 @@ bool InputAbstractionCheck::explore() {
     return false;
 }
 
-/// Continues the search up to `states` states. Returns false if it cannot be continued.
+/// Continues the search of the complete loop up to `states` states. Returns false if the search cannot be continued.
 bool InputAbstractionCheck::search_for_runs(std::uint64_t states) {
     if (!novelty_) {
         std::vector<Property> properties;
@@ -98,8 +99,9 @@ bool InputAbstractionCheck::search_for_runs(std::uint64_t states) {
     return more;
 }
 
-/// Returns the coarsest levels for `property`, a property of observe(loop). The level of a process that the property or
-/// an observer reads is never Chosen. If `coarse` is false, only autonomous instances are abstracted.
+/// Returns the coarsest abstraction levels for `property`, a property of observe(loop). A process that the property or
+/// an observer reads never gets the level Chosen. If `coarse` is false, only autonomous instances (which read only
+/// their own variables) are abstracted.
 InputAbstractionCheck::Levels InputAbstractionCheck::first_levels(const Property& property, bool coarse) const {
     std::set<std::uint32_t> variables, processes;
     const auto read = [&](Id<Expr> term) {
@@ -118,8 +120,8 @@ InputAbstractionCheck::Levels InputAbstractionCheck::first_levels(const Property
             for (const Network::Assignment& assignment : edge.assignments) read(assignment.value);
         }
     }
-    // Observers read the location of a process in a variable that only this process writes. The variable that records
-    // an event is written by all processes.
+    // An observer reads the location of a process through an additional variable that only this process writes. An
+    // additional variable with several writers records an event.
     for (const std::uint32_t variable : variables) {
         if (variable < loop_.variables.size()) continue;
         const std::set<std::uint32_t>& writers = writers_[variable];
@@ -135,7 +137,8 @@ InputAbstractionCheck::Levels InputAbstractionCheck::first_levels(const Property
         const bool by_itself = process.autonomous && !process.valuations.empty();
         if (!by_itself && !coarse) levels.push_back(InputLevel::Complete);
         else if (!is_stored) levels.push_back(InputLevel::Chosen);
-        // An observer reads each state, and the PLC need not sample a value that lasts no time.
+        // At the level Paced, each value lasts for some time. An observer reads every state, but the PLC need not
+        // sample a value that lasts no time.
         else levels.push_back(has_observer() && process.autonomous ? InputLevel::Paced : InputLevel::Untimed);
     }
     if (!ablations_.ignore_readers) store_what_is_read(instances_, levels);
@@ -143,7 +146,7 @@ InputAbstractionCheck::Levels InputAbstractionCheck::first_levels(const Property
     return levels;
 }
 
-/// Raises Chosen instances to Untimed if a machine cannot represent the choices of all instances (timed::Choices).
+/// Raises instances from Chosen to Untimed if timed::Choices cannot represent the choices of all Chosen instances.
 void InputAbstractionCheck::limit_choices(Levels& levels) const {
     std::size_t splits = 0;
     for (std::size_t i = 0; i < levels.size(); ++i) {
@@ -156,7 +159,7 @@ void InputAbstractionCheck::limit_choices(Levels& levels) const {
     if (!ablations_.ignore_readers) store_what_is_read(instances_, levels);
 }
 
-/// Raises the levels to those of the known abstraction of the property, if there is one.
+/// If InputLimits::known contains an abstraction for the property, raises the levels to the levels of this abstraction.
 void InputAbstractionCheck::begin_with_known(const Property& property, Levels& levels) const {
     const auto known = limits_.known.find(property.name);
     if (known == limits_.known.end()) return;
@@ -174,10 +177,11 @@ void InputAbstractionCheck::begin_with_known(const Property& property, Levels& l
     if (!ablations_.ignore_readers) store_what_is_read(instances_, levels);
 }
 
-/// Adds the verdict to the task of its next search, with `levels`. If `levels` are those of `task`, a spurious run may
-/// be due to rounded bounds, so the exact bounds are used. Otherwise, or if the maximum number of searches is reached,
-/// a coarse search is followed by a search in which only autonomous instances are abstracted; other searches are not
-/// continued. All `reachable` properties share one next search.
+/// Adds the verdict to the task of its next search, which uses `levels`. If `levels` are equal to the levels of `task`,
+/// rounded clock bounds may have caused the spurious run, so the next search uses the exact bounds. If the bounds are
+/// already exact, or the maximum number of searches is reached, a coarse search is followed by a search in which only
+/// autonomous instances are abstracted; other searches are not continued. All `reachable` properties share one next
+/// search.
 void InputAbstractionCheck::refine(std::size_t verdict, const Task& task, End end, const Levels& levels,
                                    std::vector<Task>& tasks) const {
     const Property& property = observed_.properties[result_.verdicts[verdict].about];
@@ -225,7 +229,8 @@ TimedResult InputAbstractionCheck::searched(const Network& network, const InputA
 
 namespace {
 
-/// Returns the states of a run of an abstraction without choices; nullopt if the run is not possible.
+/// Returns the states of a run of an abstraction without Chosen instances, or nullopt if the network cannot perform the
+/// run.
 std::optional<std::vector<AbstractState>> path_of(const Network& network, const Run& run) {
     const std::optional<std::vector<NetworkState>> states = replay(network, run);
     if (!states) return {};
@@ -254,7 +259,7 @@ void InputAbstractionCheck::search(const Task& task) {
         if (std::ranges::find(options.properties, name) == options.properties.end()) options.properties.push_back(name);
     }
     if (options.properties.empty()) return;
-    // A declared `no timelock` would be decided in each search, although its verdict is not used.
+    // Removes a declared `no timelock`. Each search would decide this property, although its verdict is not used.
     for (const Property& property : std::exchange(network.properties, {}))
         if (std::ranges::find(options.properties, property.name) != options.properties.end())
             network.properties.add(property);
@@ -303,9 +308,10 @@ void InputAbstractionCheck::search(const Task& task) {
     std::ranges::move(next, std::back_inserter(tasks_));
 }
 
-/// Examines the postponed properties by the symbolic engine, as long as its share of the time permits.
+/// Examines the postponed properties with the symbolic engine, until the symbolic engine has used its share of the time
+/// (InputLimits::symbolic_share).
 void InputAbstractionCheck::decide_symbolically() {
-    constexpr double least = 0.5;  // seconds for one property
+    constexpr double least = 0.5;  // minimum time for one property, in seconds
     const auto now = [] { return std::chrono::steady_clock::now(); };
     const auto since = [&](auto begin) { return std::chrono::duration<double>(now() - begin).count(); };
     for (const Task& task : postponed_) {
@@ -324,8 +330,8 @@ void InputAbstractionCheck::decide_symbolically() {
     }
 }
 
-/// Decides a property by the symbolic engine, with refinement. The next call begins with the levels that this call has
-/// reached.
+/// Decides property k with the symbolic engine, and refines the abstraction until `end`. The next call for this
+/// property begins with the levels that this call has reached.
 void InputAbstractionCheck::decide_symbolically(std::size_t k, const Task& task, const Deadline& end) {
     const Property& property = observed_.properties[result_.verdicts[k].about];
     Task symbolic{.levels = task.levels, .coarse = true};
@@ -351,7 +357,7 @@ void InputAbstractionCheck::decide_symbolically(std::size_t k, const Task& task,
             if (found.run) return conclude(k, found, levels);
             if (stopped()) return;
         }
-        if (raised == levels) raised.clear();  // no further levels are known
+        if (raised == levels) raised.clear();  // the refinement found no further levels
         levels = std::move(raised);
     }
 }
@@ -369,7 +375,8 @@ void InputAbstractionCheck::conclude(std::size_t k, const Verdict& found, const 
     verdict.abstraction = abstracted(levels);
 }
 
-/// Returns the property of one verdict; for `reachable all steps`, the property of the step.
+/// Returns the property of verdict k. For `reachable all steps`, the result is the property for the step of this
+/// verdict.
 Property InputAbstractionCheck::single(std::size_t k) const {
     Property property = complete_.properties[result_.verdicts[k].about];
     if (property.pattern != Pattern::ReachableAllSteps) return property;
@@ -379,8 +386,8 @@ Property InputAbstractionCheck::single(std::size_t k) const {
     return property;
 }
 
-/// Converts a run of `complete_` or `stricter_` to the time unit of `observed_`. Returns nullopt if it is not a run of
-/// `observed_`.
+/// Converts a run of `complete_` or `stricter_` to the time unit of `observed_`. Returns nullopt if the converted run
+/// is not a run of `observed_`.
 std::optional<Run> InputAbstractionCheck::in_units(const Network& network, Run run) const {
     for (Move& move : run.moves)
         if (Delay* const delay = std::get_if<Delay>(&move))
@@ -389,8 +396,8 @@ std::optional<Run> InputAbstractionCheck::in_units(const Network& network, Run r
     return run;
 }
 
-/// Searches for a run of the complete loop along the abstract run. The first search is limited to a longer time unit
-/// and to the moves of the abstract run.
+/// Searches the complete loop for a run along the abstract run. The first search uses a longer time unit, and the panel
+/// moves only as in the abstract run; further searches drop these restrictions.
 ConcreteRun InputAbstractionCheck::followed(std::size_t k, const AbstractRun& abstract, bool coarse) const {
     const std::size_t states =
         coarse ? std::clamp<std::size_t>(4 * round_, limits_.followed_coarse, limits_.followed) : limits_.followed;
@@ -405,8 +412,8 @@ ConcreteRun InputAbstractionCheck::followed(std::size_t k, const AbstractRun& ab
     return found;
 }
 
-/// Returns a run of the complete loop along the abstract run. If there is no such run, `raised` receives the levels to
-/// try next.
+/// Returns a run of the complete loop along the abstract run. If no such run is found, stores in `raised` the levels
+/// for the next search.
 std::optional<Run> InputAbstractionCheck::real_run(std::size_t k, const AbstractRun& abstract, const Task& task,
                                                    Levels& raised) {
     // A guided search is more expensive than a search of a coarse abstraction.
@@ -421,11 +428,11 @@ std::optional<Run> InputAbstractionCheck::real_run(std::size_t k, const Abstract
     return {};
 }
 
-/// Raises the levels of one group of processes that cannot perform what the run requires. Only one group is raised at a
-/// time, because usually few are necessary. The group that cannot perform the shortest rest of the run has priority,
-/// because the last moves usually decide whether the run violates the property; for example, a tank that must be empty
-/// after 8 s. Among equals, small groups have priority, then processes that are not Chosen, then the group with the
-/// earliest impossible position. Returns false if there is no such group.
+/// Raises the levels of one group of processes that cannot perform the abstract run. One call raises only one group,
+/// because usually only few groups must be raised. The group that cannot perform the shortest suffix of the run has
+/// priority, because the last moves usually decide whether the run violates the property; for example, a tank must be
+/// empty after 8 s. Among groups with equal suffixes, small groups have priority, then groups whose level is not
+/// Chosen, then the group with the earliest impossible position. Returns false if there is no such group.
 bool InputAbstractionCheck::raise_impossible(const AbstractRun& abstract, bool waits, Levels& raised) const {
     const std::vector<std::vector<std::size_t>> groups = joint_groups(instances_, abstract.levels);
     const std::vector<std::optional<SpuriousMoves>> found =

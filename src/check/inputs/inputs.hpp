@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: MIT
 // Decides properties about single states on input abstractions of a closed loop (ir/network_inputs.hpp).
 //
-// Each property starts with the coarsest levels: `Untimed` for timers and for the processes that the property reads,
-// and `Chosen` for all other processes. Properties with equal levels share a search. The time unit of a search is the
-// greatest common divisor of the durations in the abstraction. If the abstraction preserves a verdict, the verdict is
-// also the verdict on the complete loop. If the abstraction does not preserve a verdict with a run, a guided search
-// looks for a similar run of the complete loop (follow.hpp). A run that the guided search finds is reported. Otherwise,
-// the level of a process that cannot perform its moves in the abstract run is raised, and the search is repeated. If a
-// property remains undecided, the search restarts with only autonomous instances abstracted.
+// The search for a property starts with the coarsest levels: `Untimed` (without clocks) for timers and for the
+// processes that the property reads, and `Chosen` (arbitrary outputs) for all other processes that are not PLCs.
+// Properties with equal levels share a search. The time unit of a search is the greatest common divisor of the
+// durations in the abstraction. If the abstraction preserves a verdict, the verdict is also the verdict on the complete
+// loop. If a verdict depends on a run of the abstraction, a guided search looks for a similar run of the complete loop
+// (follow.hpp). If the guided search finds a run, this run is reported. Otherwise, the level of a process that cannot
+// perform its moves in the abstract run is raised, and the search is repeated. If a property remains undecided, the
+// search restarts with an abstraction of only those instances that read nothing but their own variables (autonomous
+// instances).
 //
 // The searches run in rounds with growing bounds on states. A search that ends at the bound of a round is repeated in
-// the next round. Therefore a property that requires a small search does not wait for a property that requires a large
-// search. Each round begins with a search for runs of the complete loop (novelty.hpp).
+// the next round. Therefore a property that requires few states does not wait for a property that requires many states.
+// Each round begins with a search for runs of the complete loop (novelty.hpp).
 //
 // After a round, a symbolic engine examines properties whose searches reached the bound. The abstraction is the same,
-// except that `Chosen` processes become `Untimed`. A run of the symbolic engine is treated like a run of a search, and
-// the symbolic engine continues with the next levels. InputLimits::symbolic_share bounds its time.
+// except that `Chosen` processes become `Untimed`. A run that the symbolic engine finds is treated like a run that a
+// search finds, and the symbolic engine continues with the raised levels. InputLimits::symbolic_share bounds the time
+// of the symbolic engine.
 //
-// An abstraction with a model error yields no verdict, because the states after the error are not explored.
+// If an abstraction has a model error, its search gives no verdict, because the states after the error are not
+// explored.
 #pragma once
 
 #include <atomic>
@@ -33,17 +37,17 @@
 
 namespace grafverif {
 
-/// Returns the network with the observers of the current properties; returns the network unchanged if no property has
-/// an observer.
+/// A function that adds the observers of the current properties to a network. If no property has an observer, the
+/// function returns the network unchanged.
 using Observe = std::function<Network(const Network&)>;
 
-/// A property about all states to be decided by a symbolic engine in an abstraction of the loop.
+/// A task for the symbolic engine: to decide a property about all states on an abstraction of the loop.
 struct ProofTask {
     /// Expanded network in which the clocks of some processes are ignored, with the observers of the current properties.
     const Network& abstraction;
     const std::string& property;
-    Deadline share = {};  ///< end of the proof of the property
-    /// End of the proof that no state has a model error. This proof is valid for all abstractions of the loop.
+    Deadline share = {};  ///< deadline of the proof of the property
+    /// Deadline of the proof that no state has a model error. This proof is valid for all abstractions of the loop.
     Deadline end = {};
     std::uint64_t memory = 0;  ///< memory limit in bytes
     const std::atomic<bool>* stop = nullptr;
@@ -54,21 +58,22 @@ struct Proof {
     /// Holds: the property holds in all states, and no state has a model error. Violated: some state violates the
     /// property. Unknown: a limit was reached, or a model error is possible.
     Outcome outcome = Outcome::Unknown;
-    /// If Violated: a run of the abstraction to the state; empty if the run has a model error.
+    /// If Violated: a run of the abstraction to a state that violates the property; empty if the run has a model error.
     std::optional<Run> run = {};
 };
 using StateProver = std::function<Proof(const ProofTask&)>;
 
 struct InputLimits {
     std::uint64_t states = std::uint64_t{1} << 24U;  ///< maximum number of states of one search of an abstraction
-    /// Maximum number of states of one search in which instances that read the loop are also abstracted.
+    /// Maximum number of states of one coarse search, in which instances that read variables of the loop are also
+    /// abstracted.
     std::uint64_t coarse_states = std::uint64_t{1} << 22U;
-    /// Maximum number of transitions of one search with macro-steps, per state of the bound of the round. A macro-step
-    /// consists of many transitions. In the last round, the number of transitions is not limited.
+    /// Maximum number of transitions of one search with macro-steps, as a multiple of the maximum number of states of
+    /// the round. (A macro-step combines many transitions.) The number of transitions is not limited in the last round.
     std::uint64_t transitions = 8;
     std::size_t followed = 200'000;  ///< maximum number of states of one guided search
-    /// The same for a run of an abstraction in which instances that read the loop are also abstracted, in the first
-    /// rounds. Later rounds permit four times as many states as one of their searches, but at most `followed`.
+    /// Maximum number of states of one guided search in the first rounds, for a run of a coarse abstraction. In later
+    /// rounds, the maximum is four times the maximum number of states of the round, but at most `followed`.
     std::size_t followed_coarse = 20'000;
     /// Number of states of the complete loop that NoveltySearch explores before the abstractions are searched; may be
     /// 0.
@@ -78,13 +83,15 @@ struct InputLimits {
     /// Maximum number of searches for one property in one round, except for the last round. Without this limit, many
     /// searches for one property, usually `reachable all steps`, would delay all other properties.
     std::size_t searches_per_round = 8;
-    /// Maximum number of preceding searches for one property in which instances that read the loop are also abstracted.
+    /// Maximum number of coarse searches for one property, before the searches in which only autonomous instances are
+    /// abstracted.
     std::size_t coarse_rounds = 32;
-    /// The symbolic engine is used after rounds with at least this bound on states.
+    /// The symbolic engine is used after each round whose maximum number of states is at least this number.
     std::uint64_t symbolic_from = std::uint64_t{1} << 17U;
-    double symbolic_share = 0.1;  ///< maximum share of the time of a search that the symbolic engine may take
+    double symbolic_share = 0.1;  ///< maximum share of the time since the start of the search that the symbolic engine
+                                  ///< may use
     /// Per property: an abstraction that decided the property in a similar loop. The search begins with this
-    /// abstraction instead of the coarsest abstraction. Processes that are not named are complete.
+    /// abstraction instead of the coarsest abstraction. Processes that are not named have the level Complete.
     std::map<std::string, InputsAbstracted> known = {};
 };
 
@@ -95,8 +102,9 @@ class InputAbstractionCheck;
 class InputSearch {
 public:
     /// `loop` is expanded and has no observers. `result` is the result for observe(loop), with the verdicts that
-    /// `options` select. The searches have the memory limit of `options`. If `prove` is given, it is called for
-    /// abstractions that exceed the bound of a round. All references must outlive the search.
+    /// `options` select. The memory limit of `options` applies to each search. If `prove` is not null, the search calls
+    /// `prove` for abstractions that exceed the maximum number of states of a round. All references must outlive the
+    /// search.
     InputSearch(const Network& loop, const Observe& observe, const TimedOptions& options, TimedResult& result,
                 const InputLimits& limits = {}, const InputAblations& ablations = {}, StateProver prove = {});
     ~InputSearch();

@@ -70,7 +70,7 @@ private:
         std::size_t cost = 0, state = 0;
         auto operator<=>(const Open&) const = default;
     };
-    /// The data of a state that determine its cost.
+    /// The data of a state that determine its cost, its priority in the search.
     struct Situation {
         std::uint64_t signature = 0;
         std::size_t moves = 0;  // number of moves of autonomous instances since the signature changed
@@ -114,7 +114,7 @@ private:
     std::vector<Situation> situations_ = {};  // data of each state
     std::unordered_map<std::uint64_t, std::size_t> visits_ = {};
     std::priority_queue<Open, std::vector<Open>, std::greater<>> open_ = {};
-    std::vector<timed::Word> now_ = {};  // the state that is expanded
+    std::vector<timed::Word> now_ = {};  // the state whose moves are computed
     timed::Moves moves_ = {};
     timed::PropertyMonitor::Registers registers_ = {};
 };

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // NoveltySearch: searches a complete closed loop for runs, and prefers states whose signature has occurred rarely.
 //
-// In a loop with an operator panel, a breadth-first search finds mainly combinations of buttons. NoveltySearch orders
-// states by the number of earlier states with the same signature. A signature consists of the steps and internal
-// variables of the PLCs and the locations and variables of the plant. Among states with the same signature, states with
-// fewer previous moves of autonomous instances come first. The order only determines which runs are found early; each
-// run that the search finds is a run of the loop.
+// In a loop with an operator panel, a breadth-first search mainly finds states that differ in the positions of buttons.
+// NoveltySearch orders states by the number of earlier states with the same signature. A signature consists of the
+// steps and internal variables of the PLCs and the locations and variables of the plant. Among states with the same
+// signature, states with fewer previous moves of autonomous instances come first. The order determines only which runs
+// are found early; each run that the search finds is a run of the loop.
 #pragma once
 
 #include <memory>
@@ -17,22 +17,23 @@
 
 namespace grafverif {
 
-/// Returns the fields of a signature: steps and internal variables, and the locations and variables of the instances of
-/// the plant. `omitted` has one entry per process, which is true if the fields of the process are not included.
+/// Returns the fields of a signature: the steps and internal variables of PLCs, and the locations and variables of the
+/// instances of the plant. `omitted` has one entry per process: true if the signature does not include the fields of
+/// this process.
 std::vector<timed::Field> signature_fields(const Network& network, const timed::Layout& layout,
                                            const std::vector<bool>& omitted);
 std::uint64_t signature_of(const std::vector<timed::Field>& fields, const timed::Word* words);
 
 class NoveltySearch {
 public:
-    /// `network` is complete, expanded, without observers, and must outlive the search. Each property in `properties`
-    /// concerns single states, or is `reachable all steps` for one step.
+    /// `network` must be expanded, must not be an abstraction, must not have observers, and must outlive the search.
+    /// Each property in `properties` concerns single states, or is `reachable all steps` for one step.
     NoveltySearch(const Network& network, std::vector<Property> properties,
                   const std::vector<AbstractableProcess>& instances);
     ~NoveltySearch();
 
-    /// Continues the search up to `limits.states` states in total. Returns false if all states or all required states
-    /// are found, or if the memory limit is reached.
+    /// Continues the search up to `limits.states` states in total. Returns false if all states were explored, if a
+    /// state that decides each property was found, or if the memory limit is reached.
     bool run(const FollowLimits& limits);
     std::size_t states() const;
     /// Returns the run to a state that decides the property, or nullopt if no such state was found.

@@ -9,15 +9,15 @@
 
 namespace grafverif {
 
-/// True for `no timelock`, declared or not, and for `no deadlock`.
+/// True for verdicts on `no deadlock` and on `no timelock`, even if the model does not declare `no timelock`.
 bool InputAbstractionCheck::is_about_passing(const Verdict& verdict) const {
     if (!verdict.about.valid()) return true;
     const Property& property = observed_.properties[verdict.about];
     return property.pattern == Pattern::NoDeadlock || timed::about_time(property);
 }
 
-/// Returns the coarsest levels for a proof by instants (ChoiceLifetime::Instant): only autonomous instances that can
-/// rest are abstracted.
+/// Returns the coarsest levels for a proof by instants (ChoiceLifetime::Instant): the levels abstract only autonomous
+/// instances that need not move.
 InputAbstractionCheck::Levels InputAbstractionCheck::levels_of_resting() const {
     Levels levels;
     for (const AbstractableProcess& process : instances_) {
@@ -30,7 +30,7 @@ InputAbstractionCheck::Levels InputAbstractionCheck::levels_of_resting() const {
     return levels;
 }
 
-/// True if each independent subsystem has an instance that can always move after some time.
+/// True if each independent subsystem has an instance that can always make a further move after some time.
 bool InputAbstractionCheck::each_part_is_lively() const {
     const NetworkSubsystems parts = parts_of(loop_);
     std::vector<bool> lively(parts.count, false);
@@ -39,8 +39,9 @@ bool InputAbstractionCheck::each_part_is_lively() const {
     return std::ranges::find(lively, false) == lively.end();
 }
 
-/// Returns the task for `no timelock`. A proof by evolutions of the PLCs (ChoiceLifetime::Evolution) requires that each
-/// process alone lets time pass and that integer time is exact. Otherwise a proof by instants is attempted.
+/// Returns the task for `no timelock`. A proof by evolutions of the PLCs (ChoiceLifetime::Evolution) requires
+/// lets_time_pass(loop) and that integer time is exact. If a requirement is not satisfied, the task is a proof by
+/// instants (ChoiceLifetime::Instant).
 InputAbstractionCheck::Task InputAbstractionCheck::passing_task() const {
     if (timed::inexact_place(loop_) || !lets_time_pass(loop_, ablations_))
         return {levels_of_resting(), {}, 0, false, Kind::Passing};
@@ -98,7 +99,7 @@ void InputAbstractionCheck::conclude_passing(const Verdict& proof, const Task& t
     }
 }
 
-/// Adds a note to the verdicts of the task. Often the cause of a failed proof is a chart that is unstable for some
+/// Adds a note to the verdicts of the task after a failed proof. A frequent cause is a chart that is unstable for some
 /// inputs.
 void InputAbstractionCheck::note_no_proof(const Task& task) {
     const auto searches_stability = [](const Network::Controller& controller) {
@@ -113,7 +114,7 @@ void InputAbstractionCheck::note_no_proof(const Task& task) {
 }
 
 /// Proves `always possible` (possible.hpp), or `inevitable` and `leads to` (response.hpp). The proofs require that an
-/// earlier search has proved that time diverges. If this search is postponed, the task is also postponed.
+/// earlier search has proved that time diverges. If that earlier search is postponed, this task is also postponed.
 void InputAbstractionCheck::search_progress(const Task& task) {
     if (!time_diverges_ && !ablations_.need_not_diverge) {
         if (std::ranges::any_of(postponed_, [](const Task& other) {
@@ -133,14 +134,15 @@ void InputAbstractionCheck::search_progress(const Task& task) {
         const auto proved = task.kind == Kind::Possible ? prove_possible(k, limits) : prove_response(k, limits);
         if (!proved) open.push_back(k);
     }
-    // In the last round, a limit of the proof, and not of the round, has ended it.
+    // In the last round, the proof ended at its own limit and not at the bound of the round, so another round would not
+    // help.
     if (open.empty() || (!stopped() && round_ >= limits_.states)) return;
     postpone(task);
     postponed_.back().verdicts = std::move(open);
 }
 
-/// Returns the property of `loop_` with the name of the verdict's property, because terms of a property belong to its
-/// network.
+/// Returns the property of `loop_` that has the same name as the property of verdict k. The property of `observed_`
+/// cannot be used for `loop_`, because its terms belong to `observed_`.
 const Property& InputAbstractionCheck::property_of_loop(std::size_t k) const {
     const std::string& name = observed_.properties[result_.verdicts[k].about].name;
     return *std::ranges::find(loop_.properties, name, &Property::name);

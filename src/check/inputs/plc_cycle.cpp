@@ -8,8 +8,9 @@ namespace grafverif {
 
 namespace {
 
-constexpr std::size_t most_edges_of_plc = 64;  // maximum number of edges in all paths through the automaton of the PLC
-constexpr std::size_t most_gates_of_plc = 1U << 20U;  // maximum number of gates
+constexpr std::size_t most_edges_of_plc = 64;  // maximum total number of edges of all paths through the automaton of
+                                               // the PLC
+constexpr std::size_t most_gates_of_plc = 1U << 20U;  // maximum number of gates of the circuit
 
 }  // namespace
 
@@ -53,7 +54,8 @@ BitTerm<Gate> PlcCycle::term_of(const std::vector<Gate>& value, VariableId varia
     number.emplace_back();
     return {false, bits::sum(number, bits::constant<Gate>(type.low)), {}};
 }
-/// Returns the bits of a value. A value outside the range, which is a model error, is replaced by another value.
+/// Returns the bits of a value. A value outside the range of the variable is a model error; its bits are those of an
+/// arbitrary other value.
 std::vector<Gate> PlcCycle::bits_of(const BitTerm<Gate>& term, VariableId variable) const {
     const Type type = type_of(variable);
     if (type.boolean) return {term.bits.front()};
@@ -62,7 +64,7 @@ std::vector<Gate> PlcCycle::bits_of(const BitTerm<Gate>& term, VariableId variab
     return number;
 }
 
-/// Adds the paths from `location` to W. Returns false if they have too many edges.
+/// Adds the paths from `location` to the waiting location W. Returns false if the paths have too many edges in total.
 bool PlcCycle::follow(Id<Network::Location> location, const Path& start) {
     for (const Network::Edge& edge : slots_.automaton.edges) {
         if (edge.from != location) continue;
@@ -78,7 +80,7 @@ bool PlcCycle::follow(Id<Network::Location> location, const Path& start) {
 }
 
 bool PlcCycle::take(const Network::Edge& edge, Path& path) {
-    std::set<VariableId> read;  // variables that the translated terms have read
+    std::set<VariableId> read;  // variables that the terms translated so far have read
     std::set<VariableId> shared;
     const auto leaf = [&](const Expr& node) {
         const VariableId variable = slots_.variable(node);
@@ -105,8 +107,8 @@ bool PlcCycle::take(const Network::Edge& edge, Path& path) {
     return true;
 }
 
-/// Joins the paths to one function. A source per path selects one of the paths. Returns the condition that the
-/// selected path is possible.
+/// Joins the results of all paths into one function. Free inputs of the circuit (sources), one per path, select a path.
+/// Returns the condition that the selected path is possible.
 PlcCycle::Literal PlcCycle::join(std::map<VariableId, Bits>& results) {
     Gate possible = Gate::constant(false);
     Values values;

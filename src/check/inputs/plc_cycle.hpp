@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One cycle of a PLC as Boolean functions of the values before the cycle.
+// PlcCycle: represents one cycle of a PLC by Boolean functions of the values before the cycle.
 #pragma once
 
 #include <cstdint>
@@ -17,25 +17,29 @@ class PlcCycle {
 public:
     using VariableId = Id<Network::Variable>;
     using Literal = Gates::Literal;
-    /// Bits of a value minus the least value of its type, least significant bit first.
+    /// Bits of (value - least value of the type), least significant bit first.
     using Bits = std::vector<Literal>;
 
-    /// Requires that `network` is expanded. `shared` contains the variables that other processes also assign. All
-    /// arguments must outlive the object.
+    /// Requires that `network` is expanded. `shared` contains the variables that processes other than the PLC assign.
+    /// All arguments must outlive the object.
     PlcCycle(const Network& network, const Network::Controller& controller, const std::set<VariableId>& shared)
         : network_(network), slots_(network, controller.process), waiting_(controller.waiting), shared_(shared) {}
 
-    /// Computes the functions. Returns false if there are too many paths or gates, or if two edges of a path read the same
-    /// shared variable, because its value may change between the edges.
+    /// Computes the functions. Returns false if the paths have too many edges or the circuit has too many gates. Also
+    /// returns false if two edges of a path read the same shared variable, because the value of the variable may change
+    /// between the edges.
     bool build();
 
-    Circuit circuit = {};                    ///< contains only gates
+    Circuit circuit = {};                    ///< the circuit has no latches; the functions below are literals of its
+                                             ///< gates
     std::map<VariableId, Bits> before = {};  ///< values before the cycle, of all variables that the PLC uses
     std::map<VariableId, Bits> next = {};    ///< values after the cycle, of all variables that the PLC assigns
-    std::map<VariableId, Bits> first = {};   ///< values of these variables before the first cycle
-    /// True if a cycle, or a path to the first cycle, is possible. Cycles with a model error are included.
+    std::map<VariableId, Bits> first = {};   ///< values before the first cycle, of the variables in `next`
+    /// `enabled`: the condition that a cycle is possible. `starts`: the condition that a path from the initial location
+    /// to the first cycle is possible. Cycles and paths with a model error are included.
     Literal enabled = Gates::no, starts = Gates::no;
-    /// True if a cycle, or a path to the first cycle, has a race or a value that is undefined or out of range.
+    /// The condition that a cycle, or a path to the first cycle, has a race or a value that is undefined or out of
+    /// range.
     Literal error = Gates::no;
 
 private:
@@ -60,7 +64,7 @@ private:
     const Id<Network::Location> waiting_;
     const std::set<VariableId>& shared_;
     std::vector<Path> paths_ = {};
-    std::size_t taken_ = 0;  // number of edges of the paths
+    std::size_t taken_ = 0;  // total number of edges of the paths
     Gate error_ = {};
 };
 

@@ -19,15 +19,15 @@
 
 namespace grafverif {
 
-/// The effects of the clocks of the loop.
+/// The information about the clocks of the loop that the proof needs.
 struct LoopTiming {
-    std::vector<std::vector<EdgeTiming>> edges = {};    // per process and edge
+    std::vector<std::vector<EdgeTiming>> edges = {};    // timing of each edge of each process
     std::vector<std::vector<std::size_t>> bounds = {};  // number of bounds of the invariant, per process and location
 };
 
 using timed::Word;
 
-/// The loop without clocks. `goal` is the term p of `always possible p`.
+/// The network of the loop without clocks. `goal` is the term p of `always possible p`.
 struct LoopWithoutClocks {
     Network network = {};
     Id<Expr> goal = {};
@@ -59,9 +59,10 @@ LoopTiming timing_of_loop(const Network& loop) {
 
 }  // namespace
 
-/// Finds good states (possible.hpp), beginning with the required states, and explores only the states that are
-/// necessary for them. Rule 4 of possible.hpp is applied last, in the order of NoveltySearch: it prefers states with a
-/// rare signature, and states that are reached by few moves of the panel after the last change of the signature.
+/// Finds good states, from which p is reachable (definition: possible.hpp). The search begins with the states that must
+/// be good and explores only states that are necessary for their proof. Rule 4 of possible.hpp is applied last, in the
+/// order of NoveltySearch: the search prefers states with a rare signature, and states that are reached by few moves of
+/// the panel after the last change of the signature.
 class GoodStates {
 public:
     GoodStates(const LoopWithoutClocks& loop, const LoopTiming& timing, const std::vector<bool>& is_panel,
@@ -85,8 +86,8 @@ public:
         if (!nodes_[state].is_good) ++open_;
     }
 
-    /// Returns true if all required states are good, false if some of them cannot be shown to be good, or nullopt if a
-    /// limit is reached.
+    /// Returns true if all required states are good, false if the rules do not prove that all of them are good, and
+    /// nullopt if a limit is reached.
     std::optional<bool> run(const FollowLimits& limits) {
         for (std::size_t polls = 0; open_ > 0; ++polls) {
             if (states_.size() >= limits.states || bytes() > limits.bytes) return {};
@@ -110,13 +111,14 @@ public:
 
 private:
     struct Node {
-        std::uint64_t open = 1;  // set of bounds for which no edge to a good state is known; 1 for rules 2 and 4
+        std::uint64_t open = 1;  // bit set of the bounds for which no edge to a good state is known; rules 2 and 4 use
+                                 // only bit 0
         std::uint64_t signature = 0;
-        std::uint32_t users = none;  // index of the first entry of its list in users_
+        std::uint32_t users = none;  // index in users_ of the first entry of the list of this node
         std::uint32_t moves = 0;     // number of moves of the panel since the signature changed
         bool is_good = false, is_required = false;
     };
-    struct User {  // a state with an edge for `bound` to the state to which the list belongs
+    struct User {  // entry of a linked list of a node: `state` has an edge for `bound` to the node
         std::uint32_t state = 0, next = none;
         std::uint8_t bound = 0;
     };
@@ -139,7 +141,7 @@ private:
         return state;
     }
 
-    /// Records that move number `move` is an edge for `bound` from the state `from`.
+    /// Records that move number `move` of the state `from` is an edge for the invariant bound number `bound`.
     void link(std::uint32_t from, std::uint8_t bound, std::size_t move) {
         const bool by_panel = is_panel_[machine_.process_of(moves_.edges[move]).index];
         const std::uint32_t to = add(moves_.words.data() + move * machine_.layout().words, from, by_panel);
@@ -177,7 +179,7 @@ private:
         return timing_.edges[machine_.process_of(moves_.edges[move]).index][machine_.edge_of(moves_.edges[move]).index];
     }
 
-    /// Applies rules 2 and 3.
+    /// Applies rules 2 and 3 of possible.hpp (urgent edges, bounds of invariants) to a state.
     void expand(std::uint32_t state) {
         load(state);
         if (moves_.urgent) {
@@ -185,7 +187,8 @@ private:
                 if (machine_.urgent(moves_.edges[move])) return link(state, 0, move);
             return;
         }
-        std::vector<std::size_t> first(loop_.processes.size() + 1, 0);  // number of the first bound of each process
+        std::vector<std::size_t> first(loop_.processes.size() + 1, 0);  // number of the first invariant bound of each
+                                                                        // process
         for (std::size_t process = 0; process < loop_.processes.size(); ++process)
             first[process + 1] = first[process] + bounds_of(process);
         const std::size_t bounds = first.back();
@@ -205,18 +208,18 @@ private:
         resting_.emplace(std::size_t(std::bit_width(earlier)) + 2 * nodes_[state].moves, state);
     }
 
-    /// Applies rule 4.
+    /// Applies rule 4 of possible.hpp (no bound) to a state.
     void move_at_rest(std::uint32_t state) {
         load(state);
         for (std::size_t move = 0; move < moves_.edges.size() && !nodes_[state].is_good; ++move)
             if (ablations_.any_edge || timing(move).at_last) link(state, 0, move);
     }
 
-    using Resting = std::pair<std::size_t, std::uint32_t>;  // cost, state
+    using Resting = std::pair<std::size_t, std::uint32_t>;  // cost and number of a state
 
     const Network& loop_;
     const LoopTiming& timing_;
-    const std::vector<bool>& is_panel_;  // per process
+    const std::vector<bool>& is_panel_;  // per process: true if it belongs to the panel
     const InputAblations& ablations_;
     timed::Machine machine_;
     const std::uint32_t goal_;
@@ -224,7 +227,7 @@ private:
     PackedStates states_;
     std::vector<Node> nodes_ = {};
     std::vector<User> users_ = {};
-    std::size_t open_ = 0;                   // number of required states that are not known to be good
+    std::size_t open_ = 0;                   // number of required states that are not yet known to be good
     std::deque<std::uint32_t> forced_ = {};  // states to which rules 2 and 3 are not yet applied
     std::priority_queue<Resting, std::vector<Resting>, std::greater<>> resting_ = {};
     std::unordered_map<std::uint64_t, std::size_t> visits_ = {};
@@ -263,7 +266,7 @@ public:
     std::size_t states() const { return states_ + abstraction_.size(); }
 
 private:
-    static constexpr std::size_t most_requests = 4;  // maximum number of flags that the panel sets
+    static constexpr std::size_t most_requests = 4;  // maximum number of flags that the panel may set
 
     /// The search for the good states of one property.
     struct Proof {
@@ -277,7 +280,8 @@ private:
         GoodStates good;
     };
 
-    /// Begins the search for `property`. A search for another property ends, because its memory may be necessary.
+    /// Begins the search for `property`. Discards an unfinished search for another property, because the new search may
+    /// need its memory.
     void begin(const Property& property) {
         proof_.reset();
         auto proof = std::make_unique<Proof>(*this, property);
@@ -294,8 +298,8 @@ private:
                 requests_.push_back(variable);
     }
 
-    /// Requires that all states are good in which all PLCs wait and the panel is in its initial state. Each flag that
-    /// the panel sets may have either value.
+    /// Adds the states that must be good to the search `good`: all states in which all PLCs wait and the panel is in
+    /// its initial state. Each flag that the panel sets has both values.
     void require_waiting(GoodStates& good) const {
         const timed::Layout &from = abstraction_.machine().layout(), &to = good.layout();
         std::vector<Word> words(to.words, 0);
@@ -322,9 +326,9 @@ private:
     const LoopTiming timing_;
     const std::vector<InputLevel> levels_;
     AbstractStates abstraction_;
-    std::vector<bool> is_panel_;                        // per process
+    std::vector<bool> is_panel_;                        // per process: true if it belongs to the panel
     std::vector<Id<Network::Variable>> requests_ = {};  // flags that the panel sets
-    std::unique_ptr<Proof> proof_ = {};                 // a search that a limit ended
+    std::unique_ptr<Proof> proof_ = {};                 // an unfinished search, which ended at a limit
     std::size_t states_ = 0;
 };
 

@@ -16,7 +16,7 @@ namespace {
 using timed::End;
 using timed::Word;
 
-/// Returns the processes whose locations, and the instances whose outputs, the property reads.
+/// Returns all processes whose locations the property reads and all instances whose outputs the property reads.
 std::set<Id<Network::Process>> instances_read_by(const Network& loop, const std::vector<AbstractableProcess>& instances,
                                                  const Property& property) {
     std::set<Id<Network::Process>> found;
@@ -62,9 +62,10 @@ public:
 private:
     /// Properties of a strongly connected component of states without q.
     struct Component {
-        bool urgent = true;                // an urgent edge is enabled in each state
-        std::vector<bool> moves = {};      // per process: it has an edge between two states of the component
-        std::vector<bool> unbounded = {};  // per process: it has no bound in force in some state
+        bool urgent = true;                // true if an urgent edge is enabled in each state of the component
+        std::vector<bool> moves = {};      // per process: an edge of the process connects two states of the component
+        std::vector<bool> unbounded = {};  // per process: in some state, the invariant of its current location has no
+                                           // bound
     };
 
     std::uint32_t compiled(Id<Expr> term) {
@@ -136,7 +137,7 @@ private:
             if (!is_bounded(process, state)) component.unbounded[process] = true;
     }
 
-    /// True if a run can remain in the component forever.
+    /// True if a run in which time diverges can stay in the component forever.
     bool may_repeat(const Component& component) const {
         if (component.urgent) return false;
         for (std::size_t process = 0; process < loop_.processes.size(); ++process)
@@ -146,7 +147,7 @@ private:
 
     const Network& loop_;
     AbstractStates states_;
-    const Property& property_;  // of the abstraction
+    const Property& property_;  // the property, with terms of the abstraction
     const bool is_inevitable_;
     const std::uint32_t p_, q_;
     bool requested_ = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Proves `inevitable q` and `p leads to q` on an abstraction without clocks. Neither property may have a duration
-// (`within`).
+// Proves `inevitable q` and `p leads to q` on an abstraction without clocks. Properties with a time bound (`within`)
+// are not supported.
 //
 // Premises: `no timelock` is proved, and no run has infinitely many moves in bounded time (check/inputs/resting.hpp).
 // Therefore time diverges in each maximal run of the loop. The corresponding run of the abstraction has one of two
@@ -9,7 +9,7 @@
 //     a bound.
 //   - The run has infinitely many moves. Infinitely many states of the run have no enabled urgent edge, and no process
 //     stays forever in a location whose invariant has a bound.
-// If no run of these forms avoids q, the property holds.
+// The property holds if each run of these forms reaches q (for `p leads to q`: after each state in which p holds).
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@
 namespace grafverif {
 
 struct ResponseResult {
-    /// True if the property is proved, false if it cannot be proved; empty if a limit was reached.
+    /// True if the property is proved, false if this method cannot prove the property, nullopt if a limit was reached.
     std::optional<bool> holds = {};
     /// True if p holds in no state that the search found, so that `p leads to q` holds vacuously.
     bool vacuous = false;
@@ -28,8 +28,8 @@ struct ResponseResult {
     std::size_t states = 0;
 };
 
-/// Proves `property`, which is a property of `loop`. Requires that `loop` is complete and expanded, and has neither
-/// observers nor strict constraints.
+/// Proves `property`, which is a property of `loop`. Requires that `loop` is expanded, is not an abstraction, and has
+/// neither observers nor strict clock constraints.
 ResponseResult prove_response(const Network& loop, const std::vector<AbstractableProcess>& instances,
                               const Property& property, const FollowLimits& limits);
 

@@ -21,9 +21,9 @@ namespace {
 using VariableId = Id<Network::Variable>;
 using Values = std::vector<std::int64_t>;
 
-// Maximum number of valuations of the variables that a process reads from others.
+// Maximum number of joint values (valuations) of the variables that a process reads and other processes write.
 constexpr std::size_t most_valuations_alone = 4096;
-constexpr std::size_t most_moves_alone = 1U << 20U;  // maximum number of moves of a process, for all valuations
+constexpr std::size_t most_moves_alone = 1U << 20U;  // maximum number of moves of a process, summed over all valuations
 
 /// The processes that write and read each variable, and the PLCs.
 struct Users {
@@ -40,7 +40,7 @@ struct Users {
     }
 };
 
-/// One process that is examined alone, for all values of the variables of other processes.
+/// Examines one process alone, for all values of the variables of other processes.
 class Alone {
 public:
     Alone(const Network& network, const Users& users, const ProcessClocks& clocks, Id<Network::Process> id,
@@ -77,8 +77,8 @@ public:
     bool leaves_bounds() const { return bounds_left_; }
 
     /// True if no cycle of urgent edges contains an edge that assigns a variable which another process (if `to_plcs` is
-    /// true: a PLC) reads. The variables of other processes are constant if `steady` is true for them, and otherwise
-    /// change at any time.
+    /// true: a PLC) reads. A variable of another process is constant if `steady` is true for the variable; otherwise
+    /// the variable can change at any time.
     bool shows_finitely(const std::vector<bool>& steady, bool to_plcs) const {
         std::map<Values, std::vector<const Move*>> by_steady;
         for (const Move& move : moves_) {
@@ -93,8 +93,8 @@ public:
         });
     }
 
-    /// True if no cycle consists of urgent edges that do not accept a request, while the variables of other processes
-    /// are constant.
+    /// True if, while the variables of other processes are constant, each cycle of urgent edges contains an edge that
+    /// accepts a request.
     bool moves_finitely() const {
         std::map<std::uint32_t, std::vector<const Move*>> by_valuation;
         for (const Move& move : moves_)
@@ -103,10 +103,10 @@ public:
             by_valuation, [&](const auto& group) { return !repeats(group.second, [](const Move&) { return true; }); });
     }
 
-    /// True if each cycle that contains an edge that is not urgent takes at least one unit of time.
+    /// True if each cycle of edges with at least one non-urgent edge takes at least one unit of time.
     bool repeats_slowly() const {
         std::vector<const Move*> fast;
-        std::map<std::size_t, bool> is_slow;  // per edge
+        std::map<std::size_t, bool> is_slow;  // result of takes_time for each edge
         for (const Move& move : moves_) {
             const auto [known, is_new] = is_slow.emplace(move.edge, false);
             if (is_new) known->second = takes_time(move.edge);
@@ -118,7 +118,8 @@ public:
     const std::vector<VariableId>& own() const { return own_; }
 
     std::vector<TimerRequest> requests() const {
-        std::map<VariableId, std::vector<Values>> after;  // per request: the values of own_ after its acceptance
+        std::map<VariableId, std::vector<Values>> after;  // per request: the values of own_ after each edge that
+                                                          // accepts the request
         for (const Move& move : moves_)
             if (const auto request = accepted(edge(move.edge))) after[*request].push_back(states_[move.to].values);
         std::vector<TimerRequest> requests;
@@ -162,7 +163,7 @@ private:
     bool is_own(VariableId variable) const { return std::ranges::find(own_, variable) != own_.end(); }
 
     bool is_timer() const { return slots_.process.kind == Network::ProcessKind::Timer; }
-    /// True if only the PLCs and this process write the variable.
+    /// True if no process other than the PLCs and this process writes the variable.
     bool is_written_by_plcs(VariableId variable) const {
         return std::ranges::all_of(users_.writers[variable.index], [&](Id<Network::Process> writer) {
             return writer == id_ || users_.plcs.contains(writer);
@@ -191,7 +192,7 @@ private:
             });
         });
     }
-    /// True if each edge that assigns `variable` accepts it as a request.
+    /// True if each edge that assigns `variable` accepts `variable` as a request.
     bool accepts_only(VariableId variable) const {
         return std::ranges::all_of(slots_.automaton.edges, [&](const Network::Edge& edge) {
             return accepted(edge) == variable ||
@@ -202,8 +203,8 @@ private:
     }
     bool accepts_request(const Network::Edge& edge) const { return accepted(edge).has_value(); }
 
-    /// True if another process (if `by_plcs` is true: a PLC) reads `variable`, which the edge assigns, unless it is the
-    /// request that the edge accepts.
+    /// True if another process (if `by_plcs` is true: a PLC) reads `variable`, which the edge assigns. False if
+    /// `variable` is the request that the edge accepts.
     bool is_seen(const Network::Edge& edge, VariableId variable, bool by_plcs) const {
         if (accepted(edge) == variable) return false;
         return std::ranges::any_of(users_.readers[variable.index], [&](Id<Network::Process> reader) {
@@ -309,10 +310,11 @@ private:
     const Id<Network::Process> id_;
     const Slots slots_;
     std::vector<VariableId> own_ = {}, others_ = {};
-    std::vector<EdgeTiming> timing_ = {};  // per edge
-    std::vector<bool> accepts_ = {};       // per edge
-    std::vector<bool> shows_[2] = {};      // per edge: it assigns a variable that another process, or a PLC, reads
-    std::vector<Values> valuations_ = {};  // of others_
+    std::vector<EdgeTiming> timing_ = {};  // timing of each edge
+    std::vector<bool> accepts_ = {};       // per edge: true if it accepts a request
+    std::vector<bool> shows_[2] = {};      // per edge: true if it assigns a variable that another process (index 0) or
+                                           // a PLC (index 1) reads
+    std::vector<Values> valuations_ = {};  // all joint values of the variables in others_
     std::vector<State> states_ = {};
     std::map<State, std::uint32_t> numbers_ = {};
     std::vector<Move> moves_ = {};
@@ -327,7 +329,8 @@ bool plcs_are_instant(const Network& network) {
     });
 }
 
-/// Explores all processes except PLCs. The result is empty if a process is not supported.
+/// Explores each process except PLCs separately. The result is empty if a process is not supported, or if an edge of a
+/// PLC is not urgent.
 std::deque<Alone> explored(const Network& network, const Users& users, const timed::Limits& limits) {
     const std::vector<ProcessClocks> clocks = analyse_clocks(network);
     std::deque<Alone> processes;
@@ -342,7 +345,7 @@ std::deque<Alone> explored(const Network& network, const Users& users, const tim
 
 std::vector<TimerRequest> requests_of(const Network& network) {
     const TimedOptions options;
-    const timed::Limits limits(options);  // none
+    const timed::Limits limits(options);  // default options, without limits
     const Users users(network);
     const std::vector<ProcessClocks> clocks = analyse_clocks(network);
     std::vector<TimerRequest> requests;
@@ -356,7 +359,7 @@ std::vector<TimerRequest> requests_of(const Network& network) {
 
 bool takes_time(const Network& network) {
     const TimedOptions options;
-    const timed::Limits limits(options);  // none
+    const timed::Limits limits(options);  // default options, without limits
     const Users users(network);
     const std::deque<Alone> processes = explored(network, users, limits);
     return !processes.empty() && std::ranges::all_of(processes, &Alone::repeats_slowly);
@@ -364,7 +367,7 @@ bool takes_time(const Network& network) {
 
 bool lets_time_pass(const Network& network, const InputAblations& ablations) {
     const TimedOptions options;
-    const timed::Limits limits(options);  // none
+    const timed::Limits limits(options);  // default options, without limits
     const Users users(network);
     const std::deque<Alone> processes = explored(network, users, limits);
     if (processes.empty()) return false;

@@ -16,7 +16,7 @@ namespace {
 
 using Variable = Id<Network::Variable>;
 
-constexpr std::int64_t most_combinations = 4096;  // maximum number of combinations of values that are enumerated
+constexpr std::int64_t most_combinations = 4096;  // maximum number of value combinations that one analysis enumerates
 
 class Faults {
 public:
@@ -47,7 +47,8 @@ public:
         const Id<Expr> value = assignments[k].value;
         const Interval values = interval_of(value);
         if (type.boolean || (type.low <= values.low && values.high <= type.high)) return true;
-        std::map<std::int64_t, std::int64_t> now;  // current value of each variable that the value or a guard reads
+        std::map<std::int64_t, std::int64_t> now;  // value, in the current combination, of each variable that the
+                                                   // assigned value or the guard reads
         std::int64_t combinations = 1;
         const auto read = [&](Id<Expr> term) {
             for (const Id<Expr> leaf : leaves(network_.exprs, term)) {
@@ -98,7 +99,7 @@ private:
     }
 
     const Network& network_;
-    std::set<Id<Expr>> known_ = {};  // terms that always have a value, and terms that are being examined
+    std::set<Id<Expr>> known_ = {};  // terms that always have a value, and terms whose analysis has begun
 };
 
 }  // namespace

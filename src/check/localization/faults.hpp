@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Static detection of possible model errors. Localization uses it, because an abstraction must not hide a model error.
+// Detects possible model errors by static analysis. Localization uses this analysis, because an abstraction must not
+// hide a model error.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +14,9 @@ namespace grafverif {
 /// exceed 64 bits.
 bool terms_have_values(const Network& network);
 
-/// Returns a set of fragments that covers all model errors of the network: an assignment of a value outside the range
-/// of its variable, or a race (flag `race`). For each error, the set contains a fragment such that every abstraction
-/// with this fragment detects the error. Requires terms_have_values(network).
+/// Returns a set of fragments (units of localization) that covers all model errors of the network: assignments of a
+/// value outside the range of the variable, and races (flag `race`). For each possible error, the set contains a
+/// fragment such that every abstraction with this fragment detects the error. Requires terms_have_values(network).
 std::set<std::uint32_t> cells_that_may_err(const Network& network, const NetworkFragments& cells);
 
 }  // namespace grafverif

@@ -20,7 +20,7 @@ namespace grafverif {
 
 namespace {
 
-/// Name of a probe that is added to the first search of the complete network: some reachable state is quiescent.
+/// Name of a property that the first search of the complete network also decides: some reachable state is quiescent.
 constexpr const char* settled_probe = "some state is quiescent";
 
 using Cells = std::vector<std::uint32_t>;
@@ -57,8 +57,8 @@ public:
     void begin() {
         if (!has_local(network_, options_)) return search_complete();
         search_complete_model();
-        // If the first search found a model error, or time passes in no explored state, a property that holds by
-        // localization may be unknown or vacuous in the complete network.
+        // If the first search found a model error, or time passes in no explored state, localization is not used: a
+        // property that holds in an abstraction may be unknown or vacuous in the complete network.
         if (limits_.local == 0 || !is_open() || !result_.errors.empty() || !result_.time_passes) return;
         collect_queries();
         if (tasks_.empty() && !race_) return;
@@ -82,19 +82,19 @@ private:
     struct Task {
         Cells cells = {};
         std::vector<std::size_t> requested = {};
-        /// True if the search can only show that no model error occurs in the fragments.
+        /// True if the task has no query; its search only checks the fragments for model errors.
         bool concerns_errors() const { return requested.empty(); }
     };
 
-    /// A task whose search did not decide all of its queries, with the omitted fragments that the fragments of the task
-    /// read. `known` is the number of invariants that were known when the task was searched.
+    /// A task whose search did not decide all its queries. `borders` and `tied` are the omitted fragments that the
+    /// fragments of the task read; `known` is the number of invariants that were known before the search.
     struct Open {
         Task task = {};
         Cells borders = {}, tied = {};
         std::size_t known = 0;
     };
 
-    /// A term that was proved to be true in every state of the complete network.
+    /// A term that localization has proved to be true in every state of the complete network.
     struct Invariant {
         std::string name = {};
         Id<Expr> term = {};
@@ -115,14 +115,14 @@ private:
     SearchScope scope(const std::set<std::uint32_t>& searched, std::string because) const;
     void take_local();
 
-    Network network_;  // localization adds terms to its table of terms
+    Network network_;  // copy of the network, to whose term table localization adds terms
     const NetworkFragments cells_;
     const TimedOptions& options_;
     const LocalizationLimits limits_;
     const LocalAblations ablations_;
     const WholeSearch whole_;
     TimedResult result_ = {};
-    // The property of each verdict, if localization can decide the property.
+    // The property of each verdict; nullopt if localization cannot decide the property.
     std::vector<std::optional<Property>> questions_ = {};
     std::deque<Task> tasks_ = {};
     std::vector<Task> postponed_ = {};  // tasks whose searches ended at the state limit or the deadline of the round
@@ -136,10 +136,11 @@ private:
     bool searched_whole_ = false;
     Deadline local_deadline_ = {};                                    // deadline of the searches of fragments
     std::uint64_t local_states_ = 0;                                  // number of states of all searches of fragments
-    std::uint64_t faultless_states_ = 0, faultless_transitions_ = 0;  // totals of all searches without an error
+    std::uint64_t faultless_states_ = 0, faultless_transitions_ = 0;  // totals of all searches that found no model
+                                                                      // error
 };
 
-/// Explores at most `limits_.whole` states of the complete network. In small models, these are all reachable states. In
+/// Explores at most `limits_.whole` states of the complete network. A small model has no further reachable states. In
 /// larger models, states near the initial state often suffice to decide a property.
 void LocalizationCheck::search_complete_model() {
     TimedOptions first = options_;
@@ -158,7 +159,7 @@ void LocalizationCheck::search_complete_model() {
     std::erase_if(result_.verdicts, [](const Verdict& verdict) { return verdict.property == settled_probe; });
 }
 
-/// True if some property is undecided because the search reached the state limit or was stopped.
+/// True if the verdict of some property is unknown because a search reached its state limit or was stopped.
 bool LocalizationCheck::is_open() const {
     return std::ranges::any_of(result_.verdicts, [](const Verdict& verdict) {
         return verdict.obstacle == UnknownReason::Bound || verdict.obstacle == UnknownReason::Stopped;
@@ -209,8 +210,8 @@ bool LocalizationCheck::refine(std::uint64_t states, const Deadline& deadline) {
 }
 
 /// Performs the searches of one round. The verdicts of localization are valid only if no model error is possible in the
-/// complete network. The searches that add fragments for a query may use all of the time. Therefore the searches for
-/// model errors are performed first.
+/// complete network. The searches for model errors are performed first, because the searches that add fragments for a
+/// query may use all of the time.
 void LocalizationCheck::search_round() {
     const auto search_tasks = [&] {
         while (!tasks_.empty()) {
@@ -219,8 +220,8 @@ void LocalizationCheck::search_round() {
             search(std::move(task));
         }
     };
-    // adds fragments to the open tasks for which `selects` is true, until each of these tasks has a result or cannot be
-    // extended
+    // Adds fragments to the open tasks for which `selects` is true, until each of these tasks has a result or no
+    // fragment can be added.
     const auto search_wider = [&](const auto& selects) {
         search_tasks();
         for (;;) {
@@ -249,7 +250,7 @@ void LocalizationCheck::search_round() {
     search_cells_that_may_err([&] { search_wider(search_each); });
 }
 
-/// True if a verdict is open that requires only a proof that no model error is possible.
+/// True if some open verdict depends only on the proof that no model error is possible.
 bool LocalizationCheck::awaits_verdict() const {
     return (race_ && is_open(*race_)) ||
            std::ranges::any_of(found_, [&](const auto& entry) { return is_open(entry.first); });
@@ -307,9 +308,9 @@ void LocalizationCheck::search(Task task) {
     if (!left.requested.empty()) open(std::move(left));
 }
 
-/// Adds a property that holds by localization to the invariants. If a model error is possible, no result of
-/// localization is reported. In each state of a run before the first model error, the invariant is true. Therefore
-/// results that were derived with the invariant are also valid in these states.
+/// Adds a property that localization has proved to the invariants. The invariant is true in each state of a run before
+/// the first model error, so results that are derived with the invariant are valid in these states. If a model error is
+/// possible, no result of localization is reported.
 void LocalizationCheck::know(const Property& property) {
     if (property.at_stable || about_race(property)) return;
     const Id<Expr> term = property.operands[0];
@@ -336,9 +337,9 @@ SearchScope LocalizationCheck::scope(const std::set<std::uint32_t>& searched, st
     return made;
 }
 
-/// Continues an open task. If new invariants about the omitted fragments that the task reads are known, the search of
-/// the task is repeated. Otherwise fragments are added to the task. The borders are added first; if all borders are in
-/// the task, all other fragments that the task reads are added, for example by the cycles of PLCs.
+/// Continues an open task. If new invariants about omitted fragments that the task reads are known, the search of the
+/// task is repeated. Otherwise the function adds fragments to the task: first the fragments in `borders`; if the task
+/// contains all of them, all other fragments that the task reads, for example those that cycles of PLCs read (`tied`).
 void LocalizationCheck::go_on_with(Open open) {
     Task& task = open.task;
     const auto tells = [&](const Invariant& invariant) {
@@ -380,9 +381,9 @@ void LocalizationCheck::take_local() {
     }
 }
 
-/// Returns true if an unknown verdict requires a search of the complete network. If `no timelock` is neither declared
-/// nor selected, its unknown verdict does not require this search; if another property requires the search, the search
-/// also replaces this verdict.
+/// Returns true if an unknown verdict requires a search of the complete network. An unknown verdict on `no timelock`
+/// does not require this search if `no timelock` is neither declared nor selected. If another property requires the
+/// search, the search also decides `no timelock`.
 bool LocalizationCheck::needs_whole() {
     if (searched_whole_ || !is_open()) return false;
     if (std::ranges::none_of(result_.verdicts, is_decided_separately)) return true;
@@ -441,9 +442,9 @@ void LocalizationCheck::search_complete() {
 
 namespace {
 
-/// Adds a note to the verdicts about all states if the search for timelocks was incomplete: the number of states that
-/// were searched for timelocks. The note is necessary because a state that is unreachable only because of a timelock
-/// cannot violate a property.
+/// If the search for timelocks ended at a limit, adds a note with the number of states that were searched for
+/// timelocks. The note is added to each property that holds (for `reachable`: that is violated), because the property
+/// may hold only because a timelock makes a state unreachable.
 TimedResult with_time_reported(TimedResult result) {
     const auto time = std::ranges::find(result.verdicts, Pattern::NoTimelock, &Verdict::pattern);
     if (time == result.verdicts.end()) return result;

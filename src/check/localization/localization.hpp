@@ -5,8 +5,8 @@
 // network has the same verdict (proof: docs/explanation/decomposition.md, "Cells").
 //
 // Refinement: if the abstraction has a run that may be spurious, or a model error, the search is repeated with more
-// fragments. The fragments whose values the abstraction reads are added. The last iteration explores the complete
-// network.
+// fragments. The fragments whose values the abstraction reads are added. If the abstractions do not decide the
+// property, the complete network is explored.
 //
 // A verdict is reported only if the search has shown that no model error is possible in the complete network. Therefore
 // each reported verdict is also the verdict on the complete network.
@@ -28,9 +28,9 @@ struct LocalizationLimits {
     std::uint64_t whole = std::uint64_t{1} << 17U;
     /// Maximum number of states of an abstraction; 0 disables localization.
     std::uint64_t local = std::uint64_t{1} << 22U;
-    /// Except in the last round, the number of transitions of an abstraction is limited to `transitions` times the
-    /// maximum number of states. In an abstraction in which many omitted variables can change at any time, states have
-    /// hundreds of transitions.
+    /// Limits the number of transitions of an abstraction to `transitions` times the maximum number of states, except
+    /// in the last round. If many omitted variables of an abstraction can change at any time, states have hundreds of
+    /// transitions.
     std::uint64_t transitions = 8;
 };
 
@@ -42,7 +42,7 @@ class LocalizationCheck;
 /// Executes check_timed_by_cells in steps, for callers that decide unknown verdicts between the steps by other methods.
 class CellSearch {
 public:
-    /// Prepares a search. `network` must be expanded. The search reads `options` at the beginning of each step.
+    /// Prepares a search of the expanded network `network`. Each step of the search reads `options` again.
     CellSearch(Network network, const TimedOptions& options, const LocalizationLimits& limits,
                const LocalAblations& ablations = {}, const WholeSearch& whole = check_timed_by_parts);
     ~CellSearch();
@@ -50,14 +50,14 @@ public:
 
     /// Performs the first search of the complete network, and then the first round of localization.
     void begin();
-    /// Performs a round of localization with searches of at most `states` states each. Has no effect if an earlier
-    /// round had the same or a greater bound. Returns false if no search remains for the next round.
+    /// Performs a round of localization; each search of the round explores at most `states` states. Has no effect if an
+    /// earlier round had the same or a greater `states`. Returns false if no search remains for the next round.
     bool refine(std::uint64_t states, const Deadline& deadline);
-    /// Returns the result so far. Undecided verdicts are unknown with the obstacle `Bound`. A caller that decides such
-    /// a verdict also sets Verdict::abstraction.
+    /// Returns the current result. Undecided verdicts have the outcome Unknown and the obstacle `Bound`. A caller that
+    /// decides an undecided verdict also sets Verdict::abstraction.
     TimedResult& found();
-    /// True if a search of the complete network must follow: a verdict is undecided, and either its property is
-    /// requested or declared, or no verdict was decided on fragments.
+    /// True if a search of the complete network is necessary: some verdict is undecided, and either its property is
+    /// selected or declared, or no verdict was decided on fragments.
     bool needs_whole();
     /// Searches the complete network to decide the undecided verdicts. Has no effect if the first search of the
     /// complete network already had the limit `max_states` of the options.
@@ -68,11 +68,11 @@ private:
     std::unique_ptr<LocalizationCheck> search_;
 };
 
-/// Checks the properties with `whole`, limited to `limits.whole` states. If this search reaches its limit, localization
-/// follows, and then, if `needs_whole()`, a search with `whole` and the limit of `options`. If the search with
-/// `limits.whole` states decides every property, its verdicts are the result. The limits of `options` apply to each
-/// search separately. If no declared or requested property requires the complete network, an undeclared `no timelock`
-/// remains unknown. Requires verify(network).empty().
+/// Checks the properties with the function `whole`, limited to `limits.whole` states. If this search decides every
+/// property, its verdicts are the result. If it reaches the state limit, localization follows. Then, if
+/// CellSearch::needs_whole() is true, `whole` searches the network again with the limits of `options`. The limits of
+/// `options` apply to each search separately. If no declared or selected property requires the complete network, an
+/// undeclared `no timelock` remains unknown. Requires verify(network).empty().
 TimedResult check_timed_by_cells(const Network& network, const TimedOptions& options = {},
                                  const LocalizationLimits& limits = {}, const LocalAblations& ablations = {},
                                  const WholeSearch& whole = check_timed_by_parts);

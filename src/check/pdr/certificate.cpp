@@ -8,7 +8,7 @@ namespace grafverif::pdr {
 
 namespace {
 
-/// A solver with the clauses of all gates of the circuit. Variable n + 1 represents node n.
+/// A SAT solver with the clauses of all gates of the circuit. Variable n + 1 of the solver represents node n.
 class CircuitClauses {
 public:
     CircuitClauses(const Circuit& circuit, LimitMonitor& watch)
@@ -29,7 +29,8 @@ public:
     }
     void clause(const std::vector<int>& literals) { solver_.add(literals); }
     int fresh() { return ++variables_; }
-    /// True if the clauses and assumptions are satisfiable; if `one_of` is not empty, with one of its literals.
+    /// True if the clauses and the assumptions are satisfiable. If `one_of` is not empty, at least one of its literals
+    /// must also be true.
     bool possible(const std::vector<int>& assumptions, const std::vector<int>& one_of = {}) {
         return solver_.solve(assumptions, one_of);
     }
@@ -55,7 +56,7 @@ std::string flaw(const Circuit& circuit, Literal bad, const std::vector<Cube>& c
         solver.clause(outside);
     }
     if (solver.possible({CircuitClauses::of(bad)})) return "it does not exclude the bad states";
-    std::vector<int> entered;  // for each cube, a variable that implies that the next state belongs to the cube
+    std::vector<int> entered;  // for each cube: a solver variable; if it is true, the next state belongs to the cube
     for (const Cube& cube : cubes) {
         entered.push_back(solver.fresh());
         for (const Literal literal : cube)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks certificates of unreachability with a separate solver, which is independent of the solver of the search.
+// Checks certificates of unreachability with a separate SAT solver, which is independent of the solver of the search.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace grafverif::pdr {
 
-/// A set of states, represented by literals. A state belongs to the cube if all literals of the cube are true in the
-/// state. The literals belong to latches and are in increasing order.
+/// A cube: a set of states, represented by literals of latches. A state belongs to the cube if all its literals are
+/// true in the state. The literals are in increasing order.
 using Cube = std::vector<Literal>;
 
-/// Returns the reason why the complement of the cubes is not an inductive invariant that excludes `bad`. If the result
-/// is an empty string, no state in which `bad` is true is reachable: the first state is outside of all cubes, no step
-/// leads from outside of all cubes into a cube, and `bad` is false outside of all cubes. Throws Exhausted if a limit is
-/// exceeded.
+/// Returns the reason why the complement of the cubes is not an inductive invariant that excludes `bad`, or an empty
+/// string if it is one. In this case, no state in which `bad` is true is reachable: the initial state is outside of all
+/// cubes, no step leads from outside of all cubes into a cube, and `bad` is false outside of all cubes. Throws
+/// Exhausted if a limit is exceeded.
 std::string flaw(const Circuit& circuit, Literal bad, const std::vector<Cube>& cubes, LimitMonitor& watch);
 
 }  // namespace grafverif::pdr

@@ -64,12 +64,14 @@ private:
         Verdict verdict = {};
         std::optional<SystemRun> run = {};
         const Circuit::Target* target = nullptr;  ///< null if the query requires no search
-        /// Number of states: `bad` is proved to be false in the first `cleared` states of every run.
+        /// `bad` is proved to be false in the first `cleared` states of every run.
         std::size_t cleared = 0;
         /// `has_value` is true if the operands are proved to have values in every reachable state.
         bool open = true, has_value = false;
-        const std::atomic<bool>* decided_elsewhere = nullptr;  ///< set when another engine has decided the query
-        std::function<PdrAnswer()> search = {};                ///< an interrupted PDR search, to be continued
+        const std::atomic<bool>* decided_elsewhere = nullptr;  ///< true if another engine has decided the query; may be
+                                                               ///< null
+        std::function<PdrAnswer()> search = {};                ///< continues an interrupted PDR search; empty if there
+                                                               ///< is none
 
         bool is_open() const { return open && (decided_elsewhere == nullptr || !decided_elsewhere->load()); }
         bool is_reachability() const { return property.pattern == Pattern::Reachable; }
@@ -105,10 +107,10 @@ private:
         return cause == Exhausted::Cause::Stopped ? UnknownReason::Stopped : UnknownReason::Memory;
     }
 
-    /// Searches for a state in which `bad` is true. The result is a trace or an invariant and is always validated, also
-    /// for queries about faults and quiescence, because the verdicts of properties depend on these queries.
-    /// `interrupted` may be null. If `*interrupted` is an interrupted search, this search is continued. If the search
-    /// is interrupted, it is stored in `*interrupted`.
+    /// Searches for a reachable state in which `bad` is true. The result is a trace or an invariant. The function
+    /// validates every result, including results about faults and quiescence, because the verdicts of properties depend
+    /// on them. `interrupted` may be null. If `*interrupted` contains an interrupted search, the function continues
+    /// this search. If the search is interrupted again, the function stores it in `*interrupted`.
     PdrAnswer searched(Literal bad, const std::string& name, std::function<PdrAnswer()>* interrupted = nullptr) {
         const auto report_frames = [this, &name](std::size_t frames) {
             if (options_.progress) options_.progress({name, frames, watch_.bytes(), seconds()});
@@ -136,8 +138,8 @@ private:
         return answer;
     }
 
-    /// True if `bad` is true in some state of the run. Removes all states after the first such state, or all states if
-    /// there is none.
+    /// True if `bad` is true in some state of the run. Removes all states after the first state in which `bad` is true.
+    /// If there is no such state, removes all states.
     bool reaches(Literal bad, std::vector<std::vector<bool>>& inputs) const {
         std::size_t states = 0, first = 0;
         run_through(circuit_, inputs, [&](const NodeValues& values) {
@@ -168,8 +170,8 @@ private:
 
     // -- validity of the system ------------------------------------------------------------------------------------
 
-    /// Calls `work`. If a limit is reached or a result is invalid, stores the reason in `obstacle_` and `reason_`; open
-    /// queries remain undecided.
+    /// Calls `work`. If `work` reaches a limit or has an invalid result, stores the reason in `obstacle_` and
+    /// `reason_`, and leaves open queries undecided.
     template <class Work>
     void guarded(const Work& work) {
         obstacle_ = UnknownReason::None;
@@ -193,8 +195,8 @@ private:
             reason_ = "the share of the time limit for this property is used up";
     }
 
-    /// Records that the result of an engine is invalid. An invalid result of an internal engine is a failure; an
-    /// invalid result of an external program is only rejected.
+    /// Records that the result of an engine is invalid. An invalid result of an internal engine is reported as an
+    /// internal failure; an invalid result of an external program is only rejected.
     void disbelieve(const std::string& what) {
         if (!options_.reach) result_.failures.push_back(what);
         obstacle_ = options_.reach ? UnknownReason::Disagrees : UnknownReason::Failed;
@@ -219,9 +221,9 @@ private:
         return solver.solve(std::vector{first, possible});
     }
 
-    /// Determines if values can leave their ranges. If all values are initially in their ranges and no step leaves a
-    /// range, all values stay in their ranges. If a step may leave the range, a search determines if the step is
-    /// reachable.
+    /// Determines whether a reachable step can assign a variable a value outside its range. If the initial values are
+    /// in their ranges and no step leaves a range, all values stay in their ranges (induction). If some step leaves a
+    /// range, a search determines whether this step is reachable.
     void find_leaks() {
         Solver solver(circuit_, watch_);
         const int in_range = circuit_.leaks.empty() ? 0 : solver.of(circuit_.in_range);
@@ -240,7 +242,7 @@ private:
 
     bool any_open() const { return std::ranges::any_of(questions_, &PropertyQuery::is_open); }
 
-    /// False if the query is a probe of a property whose check has ended without the verdict `holds`.
+    /// False if the query is a vacuity probe of a property whose check has ended with another outcome than Holds.
     bool matters(const PropertyQuery& question) const {
         if (!is_probe(question.property)) return true;
         const auto of = std::ranges::find(questions_, probed_by(question.property),
@@ -248,8 +250,8 @@ private:
         return of == questions_.end() || of->open || of->verdict.outcome == Outcome::Holds;
     }
 
-    /// Decides the queries sequentially by PDR. The time of each query is `time`, or the query's share of the remaining
-    /// time if `time` is nullopt. Undecided queries remain open if `time` is given.
+    /// Decides the queries sequentially by PDR. The time limit of each query is `time`, or the query's share of the
+    /// remaining time if `time` is nullopt. If `time` is given, undecided queries remain open.
     void by_pdr(std::optional<Clock::duration> time) {
         auto left = static_cast<std::size_t>(std::ranges::count_if(questions_, &PropertyQuery::is_open));
         for (PropertyQuery& question : questions_) {
@@ -270,8 +272,8 @@ private:
         }
     }
 
-    /// Updates a query after PDR or BMC has worked on the query. If `later` is true, and only the query's share of the
-    /// time is exceeded, the query remains open.
+    /// Updates a query after PDR or BMC has worked on the query. If `later` is true, and PDR or BMC ended only because
+    /// its time for this query was over, the query remains open.
     void conclude(PropertyQuery& question, const char* by, bool later) {
         if (obstacle_ == UnknownReason::None) {
             if (options_.method != PdrOptions::Method::Alternating || question.verdict.outcome == Outcome::Unknown)
@@ -283,8 +285,8 @@ private:
         }
     }
 
-    /// Alternates PDR and BMC. An interrupted PDR search discards its obligations. Therefore the first round of each
-    /// query is longer if there are few queries.
+    /// Alternates PDR and BMC. An interrupted PDR search loses its open proof obligations. Therefore, if there are few
+    /// queries, the first round of each query is longer.
     void interleaved_steps() {
         constexpr std::ptrdiff_t few = 8;
         const auto open = std::max<std::ptrdiff_t>(1, std::ranges::count_if(questions_, &PropertyQuery::is_open));
@@ -310,7 +312,7 @@ private:
             if (!options_.reach && !is_probe(property)) shorten(question, answer, Clock::now() - start);
             return reached(question, answer);
         }
-        // If the search for a quiescent state is interrupted, the query remains open.
+        // is_settled() throws if its search is interrupted; the query then remains open.
         if (!question.is_reachability() && property.at_stable) is_settled();
         close(question, question.is_reachability() ? Outcome::Violated : Outcome::Holds);
         if (options_.proved && !is_probe(property))
@@ -373,8 +375,8 @@ private:
         }
     }
 
-    /// Searches for a run to a bad state among the runs that are one step longer than the runs searched so far. Returns
-    /// nullopt if there is no such run.
+    /// Searches for a run to a bad state among the runs that are one step longer than the longest runs searched so far.
+    /// Returns nullopt if no such run reaches a bad state.
     std::optional<RunInputs> next_step(PropertyQuery& question) {
         if (!unrolling_) unrolling_.emplace(circuit_, watch_);
         std::optional<RunInputs> found = unrolling_->run_to(question.target->bad, question.cleared);
@@ -385,8 +387,8 @@ private:
         return found;
     }
 
-    /// Extends the search of all open queries step by step. If `time` is given, queries that are undecided after this
-    /// time remain open.
+    /// Searches for runs of increasing length for all open queries by BMC. If `time` is given, queries that are
+    /// undecided after this time remain open.
     void by_bmc(std::optional<Clock::duration> time) {
         if (without_bmc_) return;
         if (!time) refuse_undefined_values();
@@ -422,8 +424,8 @@ private:
         }
     }
 
-    /// Among the open queries whose operands are known to have values, returns the query with the smallest length of
-    /// searched runs; null if there is no such query.
+    /// Returns the open query with the smallest length of searched runs, among the queries whose operands are proved to
+    /// have values. Returns null if there is no such query.
     PropertyQuery* least_searched() {
         PropertyQuery* least = nullptr;
         for (PropertyQuery& question : questions_)
@@ -432,7 +434,8 @@ private:
         return least;
     }
 
-    /// Returns the reason why BMC ends without a run, and the length of the searched runs.
+    /// Returns a text for the verdict: the reason why the search ended without a result, and the maximum length of the
+    /// runs that BMC has searched.
     std::string bmc_progress_text(const PropertyQuery& question) const {
         std::string words = obstacle_ == UnknownReason::Bound ? "" : reason_;
         if (question.cleared == 0) return words;
@@ -464,9 +467,9 @@ private:
     std::vector<PropertyQuery> questions_ = {};
     std::optional<Unrolling> unrolling_ = {};
     std::optional<EqualLatches> equal_latches_ = {};
-    std::optional<LatchPairs> pairs_ = {};          ///< searches keep references to its result
+    std::optional<LatchPairs> pairs_ = {};          ///< stored searches refer to the result of `pairs_`
     bool without_bmc_ = false;                      ///< true if there is not enough memory for BMC
-    UnknownReason obstacle_ = UnknownReason::None;  ///< reason why the current work ended
+    UnknownReason obstacle_ = UnknownReason::None;  ///< reason why the last call of `guarded` ended without a result
     std::string reason_ = {};
     UnknownReason fault_obstacle_ = UnknownReason::None;  ///< reason why the search for faults ended
     std::string fault_reason_ = {};

@@ -18,7 +18,7 @@ constexpr std::size_t runs = 8, states_of_a_run = 64;
 EqualLatches::EqualLatches(const Circuit& circuit, LimitMonitor& watch)
     : circuit_(circuit), watch_(watch), class_of_(circuit.latches.size()) {}
 
-/// Splits each class by the values of its latches. In class 0, only latches with the value false remain.
+/// Splits each class of latches by the values of its latches. Only latches with the value false stay in class 0.
 template <class Value>
 void EqualLatches::split(const Value& value) {
     std::map<std::pair<std::size_t, bool>, std::size_t> classes{{{0, false}, 0}};
@@ -40,16 +40,16 @@ void EqualLatches::split_by_runs() {
 }
 
 /// Searches for a step from a state in which the latches of each class are equal to a state in which two latches of a
-/// class differ. Splits the classes by the values in this state. Returns false if there is no such step.
+/// class differ. Splits the classes by the values in the second state. Returns false if there is no such step.
 bool EqualLatches::split_by_solver() {
     if (!solver_) solver_.emplace(circuit_, watch_);
     Solver& solver = *solver_;
     const int equal = solver.fresh();
     std::vector<int> differ;
-    std::map<std::size_t, std::size_t> first;  // maps each class to the latch that represents it
+    std::map<std::size_t, std::size_t> first;  // maps each class to its representative latch
     for (std::size_t k = 0; k < class_of_.size(); ++k) {
         const Circuit::Latch& latch = circuit_.latches[k];
-        Circuit::Latch other;  // representative of class 0: the constant false
+        Circuit::Latch other;  // class 0 has the representative constant false
         if (class_of_[k] != 0) {
             const auto [place, fresh] = first.try_emplace(class_of_[k], k);
             if (fresh) continue;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Signal correspondence (van Eijk 2000: "Sequential equivalence checking based on structural similarities"): proves by
-// induction that some latches of a circuit have equal values in every reachable state. If two systems store equal
-// states, equal latches prove directly that the systems are equivalent. PDR would need an invariant that relates all
-// values of the two states.
+// induction that some latches of a circuit have equal values in every reachable state. If two systems represent their
+// states by the same values, equal latches prove directly that the systems are equivalent. Without equal latches, PDR
+// would need an invariant that relates all values of the two states.
 //
-// Initially all latches and the constant false form one class. Random runs are used to split the classes. Then a solver
-// searches for a step that begins in a state in which all latches of each class are equal. In the state after the step,
-// two latches of a class must differ. The step that the solver finds splits the classes. The search ends if the solver
-// proves that no such step exists.
+// Initially, all latches and the constant false form one class. First, random runs split the classes. Then a SAT solver
+// searches for a step after which two latches of a class differ; before the step, the latches of each class must be
+// equal. Each step that the solver finds splits the classes. The search ends if the solver proves that no step of this
+// kind exists.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Justification: given values of latches and inputs for which some literals are true, determines a subset of these
-// values that is sufficient to make the literals true.
+// Justification: given values of latches and inputs for which some literals of a circuit are true, determines a subset
+// of these values that is sufficient to make the literals true.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +23,8 @@ public:
         Sources latches = {}, inputs = {};  ///< literals that are true, in increasing order
     };
     /// Returns values of latches and inputs that are sufficient to make `targets` true. `value` must return the value
-    /// of every literal in the cone of `targets`. Requires that all targets are true. A greedy pass over the gates
-    /// keeps the number of latches small, but not necessarily minimal.
+    /// of every literal in the cone of `targets`. Requires that `value` is true for all targets. A greedy pass over the
+    /// gates keeps the number of latches small, but the number is not always minimal.
     Justification part(const std::vector<Gates::Literal>& targets, const std::function<bool(Gates::Literal)>& value);
 
 private:
@@ -32,12 +32,13 @@ private:
 
     const Circuit& circuit_;
     std::vector<bool> is_latch_;  ///< true if the node is a latch
-    /// For each node: the last round in which the node was visited (`seen_`) or needed (`needed_`).
+    /// For each node: the last call of `part` (its number is `round_`) in which the node was visited (`seen_`) or
+    /// needed (`needed_`).
     std::vector<std::uint32_t> seen_, needed_;
     /// For each node: an upper bound of the number of latches that determine its value.
     std::vector<std::uint32_t> cost_;
     std::vector<char> values_;              ///< value of each node
-    std::vector<std::uint32_t> cone_ = {};  ///< nodes in the cone, increasing
+    std::vector<std::uint32_t> cone_ = {};  ///< nodes in the cone of the targets, in increasing order
     std::uint32_t round_ = 0;
 };
 

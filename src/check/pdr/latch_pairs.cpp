@@ -28,7 +28,7 @@ void reset(std::vector<std::uint64_t>& bits, std::size_t k) {
 LatchPairs::LatchPairs(const Circuit& circuit, LimitMonitor& watch, const std::vector<NamedCube>* candidates)
     : circuit_(circuit), watch_(watch), candidates_(candidates) {}
 
-/// Creates the rows with all pairs that do not contain the first state and the latch `broken`.
+/// Creates the rows with all pairs that the initial state does not have and that do not contain the latch `broken`.
 void LatchPairs::set_candidates() {
     const std::size_t count = circuit_.latches.size();
     Bits all(count / word_bits + 1, 0);
@@ -54,7 +54,7 @@ void LatchPairs::select_candidates() {
         for (const auto& [latch, value] : cube)
             if (const auto found = index.find(latch); found != index.end())
                 (value ? active : inactive).push_back(found->second);
-        if (active.size() + inactive.size() != cube.size()) continue;  // the circuit lacks a latch
+        if (active.size() + inactive.size() != cube.size()) continue;  // a latch of the cube is missing
         Row& row = rows_[active[0]];
         if (cube.size() == 1) {
             row.never = true;
@@ -67,7 +67,8 @@ void LatchPairs::select_candidates() {
     }
 }
 
-/// Creates a solver for the candidates. If an exception interrupts a solver, its state is unknown.
+/// Creates a new solver for the candidates. A new solver is also necessary after an exception, which leaves the old
+/// solver in an unknown state.
 void LatchPairs::begin() {
     const std::size_t count = circuit_.latches.size();
     const bool selected = candidates_ != nullptr && !candidates_->empty();
@@ -92,7 +93,8 @@ void LatchPairs::begin() {
     }
 }
 
-/// Adds the clauses of the candidates of a row, with a new premise.
+/// Adds clauses for the candidates of a row: if the premise of the row, a new variable, is true, the current state has
+/// no candidate of the row.
 void LatchPairs::assume(std::size_t latch) {
     Row& row = rows_[latch];
     row.premise = solver_->fresh();
@@ -103,8 +105,8 @@ void LatchPairs::assume(std::size_t latch) {
     }
 }
 
-/// Adds a clause: if the violation of the row is true, the next state contains a candidate of the row. It replaces the
-/// clauses for more candidates, which remain true.
+/// Adds a clause: if the violation of the row is true, the next state has a candidate of the row. Earlier clauses of
+/// the row, for more candidates, remain in the solver; the new clause implies them.
 void LatchPairs::require_violation(std::size_t latch) {
     const Row& row = rows_[latch];
     if (row.never) return;
@@ -116,7 +118,7 @@ void LatchPairs::require_violation(std::size_t latch) {
     solver_->add(clause);
 }
 
-/// Drops the candidates that the state contains.
+/// Drops the candidates that the state has.
 void LatchPairs::drop(const std::vector<bool>& state) {
     Bits values(rows_.size() / word_bits + 1, 0);
     for (std::size_t k = 0; k < state.size(); ++k)
@@ -136,8 +138,8 @@ void LatchPairs::drop(const std::vector<bool>& state) {
     }
 }
 
-/// Searches for a step from a state that contains no candidate to a state that contains candidates, and drops these
-/// candidates. Returns false if there is no such step.
+/// Searches for a step from a state that has no candidate to a state that has candidates, and drops these candidates.
+/// Returns false if no such step exists.
 bool LatchPairs::refute() {
     std::vector<int> premises, violations;
     for (const Row& row : rows_) {
@@ -155,7 +157,7 @@ const std::vector<Cube>& LatchPairs::cubes() {
     if (cubes_) return *cubes_;
     if (circuit_.latches.empty() || circuit_.latches.size() > most_latches) return cubes_.emplace();
     begin();
-    // Clauses of dropped candidates remain in the solver, and slow it down.
+    // Clauses of dropped candidates slow the solver down. A new solver replaces a solver with too many clauses.
     for (std::uint64_t useful = solver_->clauses(); refute();)
         if (solver_->clauses() > 2 * useful) {
             begin();

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Invariants of two literals: pairs of latches that no reachable state contains with certain values, for example the
-// activities of two steps of a sequence that are never active together. All pairs of the result are proved together by
-// induction (Houdini; Flanagan and Leino 2001: "Houdini, an annotation assistant for ESC/Java"; for circuits: Case,
-// Mishchenko and Brayton 2007: "Inductively finding a reachable state space over-approximation").
+// LatchPairs: invariants of two literals. A pair consists of two latches and a value of each; a state has the pair if
+// both latches have these values. The search computes pairs that no reachable state has. For example, two steps of a
+// sequence are never both active. All pairs of the result are proved together by induction (Houdini; Flanagan and Leino
+// 2001: "Houdini, an annotation assistant for ESC/Java"; for circuits: Case, Mishchenko and Brayton 2007: "Inductively
+// finding a reachable state space over-approximation").
 //
-// The candidates are all pairs that the first state does not contain. A solver searches for a step from a state that
-// contains no candidate to a state that contains some candidates, and these candidates are dropped. The search ends if
-// there is no such step.
+// The candidates are all pairs that the initial state does not have. A SAT solver searches for a step from a state that
+// has no candidate to a state that has some candidates; these candidates are dropped. The search ends if no such step
+// exists.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +19,8 @@
 
 namespace grafverif::pdr {
 
-/// A value of a latch, by its name. The vector NamedCube represents the states that have all its values and in which
-/// Circuit::broken is false.
+/// A latch, identified by its name, and a value of the latch. A vector of such values (NamedCube) represents the states
+/// that have all these values and in which Circuit::broken is false.
 struct NamedValue {
     std::string latch = {};
     bool value = false;
@@ -28,16 +29,18 @@ using NamedCube = std::vector<NamedValue>;
 
 class LatchPairs {
 public:
-    /// Circuits with more latches have too many candidates; the result is then empty.
+    /// Maximum number of latches. Circuits with more latches have too many candidates; for these circuits, the result
+    /// is empty.
     static constexpr std::size_t most_latches = 1024;
 
-    /// All arguments must outlive the object. If `candidates` is not null and not empty, the candidates are its cubes
-    /// whose latches the circuit contains; these are usually the result for an abstraction of the circuit.
+    /// All arguments must outlive the object. If `candidates` is not null and not empty, the search considers only the
+    /// cubes in `candidates` whose latches the circuit contains. Usually, `candidates` is the result for an abstraction
+    /// of the circuit.
     LatchPairs(const Circuit& circuit, LimitMonitor& watch, const std::vector<NamedCube>* candidates = nullptr);
 
     /// Returns cubes that contain no reachable state. The complement of the cubes is an inductive invariant (see
-    /// `flaw`). A cube contains one or two literals, and the literal that Circuit::broken is false. Throws Exhausted if
-    /// a limit is exceeded; the next call continues the search.
+    /// `flaw`). Each cube contains one or two literals of latches, and the literal `not broken` (see Circuit::broken).
+    /// Throws Exhausted if a limit is exceeded; the next call continues the search.
     const std::vector<Cube>& cubes();
     /// Returns the result of `cubes` with the names of the latches.
     std::vector<NamedCube> named_cubes();
@@ -45,13 +48,14 @@ public:
 private:
     using Bits = std::vector<std::uint64_t>;
 
-    /// The candidates with latch `a`: no state contains `a` and a latch of `both`, and no state contains `a` without
-    /// each latch of `without`. If `never` is true, no state contains `a`.
+    /// The candidates of a latch a. Candidate for each latch b in `both`: a and b are never both true. Candidate for
+    /// each latch b in `without`: a is never true while b is false. If `never` is true, the only candidate is that a is
+    /// never true.
     struct Row {
         Bits both = {}, without = {};
         bool never = true;
-        int premise = 0;    // while assumed, the current state contains no candidate of the row
-        int violation = 0;  // implies that the next state contains a candidate of the row
+        int premise = 0;    // solver variable; if true, the current state has no candidate of the row
+        int violation = 0;  // solver variable; if true, the next state has a candidate of the row
     };
 
     void set_candidates();
@@ -67,7 +71,7 @@ private:
     const std::vector<NamedCube>* candidates_;
     std::optional<Solver> solver_ = {};
     std::vector<Row> rows_ = {};
-    std::vector<int> now_ = {}, next_ = {};  // the solver's literals of each latch, before and after a step
+    std::vector<int> now_ = {}, next_ = {};  // solver literal of each latch, before and after a step
     std::optional<std::vector<Cube>> cubes_ = {};
 };
 

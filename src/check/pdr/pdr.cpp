@@ -16,16 +16,18 @@ namespace grafverif::pdr {
 
 namespace {
 
-/// True if the cube contains the first state, in which every latch is false.
+/// True if the cube contains the initial state, in which every latch is false.
 bool holds_first_state(const Cube& cube) { return std::ranges::all_of(cube, is_inverted); }
 
 bool contains(const Cube& cube, const Cube& part) { return std::ranges::includes(cube, part); }
 
-/// A set of states from which a bad state is reachable.
+/// A proof obligation: a set of states from which a bad state is reachable.
 struct Obligation {
     Cube state = {};
-    Sources inputs = {};        ///< inputs with which a step leads to `successor`, or with which the state is bad
-    std::size_t successor = 0;  ///< index of the next state; for the last state, its own index
+    Sources inputs = {};        ///< inputs of the step to `successor`; for the last state, inputs for which the state
+                                ///< is bad
+    std::size_t successor = 0;  ///< index of the obligation of the next state; the index of this obligation for the
+                                ///< last state
     std::size_t frame = 0, depth = 0;
 };
 
@@ -42,10 +44,11 @@ public:
         for (const Circuit::Latch& latch : circuit.latches) next_[latch.node] = latch.next;
     }
 
-    /// Runs the search and returns its result. If a call throws Exhausted, the next call continues the search.
+    /// Runs the search and returns its result. Throws Exhausted if a limit is reached; the next call then continues the
+    /// search.
     PdrAnswer result() {
         obligations_.clear();
-        if (frames_.empty()) add_frame();  // frame 0 contains only the first state
+        if (frames_.empty()) add_frame();  // frame 0 represents only the initial state
         if (!solver_) renew();
         if (top() == 0) {
             if (auto found = bad_state(0)) return reached(add(std::move(*found)));
@@ -74,7 +77,7 @@ private:
         active_.push_back(solver_ ? solver_->fresh() : 0);
     }
 
-    /// Replaces the solver by a new solver without unused clauses.
+    /// Replaces the solver by a new solver. The new solver does not contain clauses that are no longer used.
     void renew() {
         solver_.emplace(circuit_, watch_);
         for (int& each : active_) each = solver_->fresh();
@@ -86,7 +89,7 @@ private:
         clauses_when_new_ = solver_->clauses();
     }
 
-    /// Excludes the states of a known invariant's complement from all frames.
+    /// Excludes the cubes of the known invariant, which contain no reachable state, from all frames.
     void exclude_known() {
         if (invariant_ == nullptr) return;
         for (const Cube& cube : *invariant_) {
@@ -96,7 +99,7 @@ private:
         }
     }
 
-    /// Uses the known invariant from the first call after many queries.
+    /// Adds the known invariant to the search as soon as the search has made KnownInvariant::after queries.
     void look_for_known() {
         if (!known_.cubes || invariant_ != nullptr || queries_ < known_.after) return;
         invariant_ = &known_.cubes();
@@ -110,13 +113,15 @@ private:
         ++live_;
     }
 
-    /// Returns the assumptions for the states of `frame`. The cubes of later frames are also excluded.
+    /// Returns the assumptions that restrict a query to the states of `frame`. The assumptions exclude the cubes of
+    /// this frame and of all later frames.
     std::vector<int> in_frame(std::size_t frame) const {
         return {active_.begin() + static_cast<std::ptrdiff_t>(frame), active_.end()};
     }
 
-    /// True if a step leads into `cube` from a state of the frame (if `from_outside` is true, only from states outside
-    /// of `cube`). Otherwise `core` contains literals of the cube that suffice to exclude such a step.
+    /// True if a step leads into `cube` from a state of the frame. If `from_outside` is true, only steps from states
+    /// outside of `cube` count. If no such step exists, stores in `core` a subset of the literals of `cube` that
+    /// suffices to exclude such a step.
     bool steps_into(const Cube& cube, std::size_t frame, bool from_outside, Cube& core) {
         std::vector<int> assumptions = in_frame(frame);
         const std::size_t first = assumptions.size();
@@ -142,8 +147,8 @@ private:
         return nexts;
     }
 
-    /// Extends `core` by literals of `cube` so that it does not contain the first state. Requires that `cube` does not
-    /// contain the first state.
+    /// Adds literals of `cube` to `core` so that `core` does not contain the initial state. Requires that `cube` does
+    /// not contain the initial state.
     static void exclude_first_state(Cube& core, const Cube& cube) {
         if (!holds_first_state(core)) return;
         const auto found = std::ranges::find_if_not(cube, is_inverted);
@@ -151,7 +156,8 @@ private:
         core.insert(std::ranges::lower_bound(core, *found), *found);
     }
 
-    /// Returns values of latches and inputs in the solver's model that are sufficient to make `targets` true.
+    /// Returns an obligation with values of latches and inputs that are sufficient to make `targets` true. The values
+    /// are those of the satisfying assignment that the solver has found.
     Obligation found_for(const std::vector<Literal>& targets) {
         Justifier::Justification part =
             justifier_.part(targets, [this](Literal literal) { return solver_->value(literal); });
@@ -178,9 +184,9 @@ private:
         return obligations_.size() - 1;
     }
 
-    /// Excludes the state of the obligation `first` from its frame and from all later frames, and the predecessors of
-    /// the state from the previous frames. Returns `none`, or, if the exclusion is impossible, the index of the
-    /// obligation that contains the first state.
+    /// Excludes the states of the obligation `first` from its frame and from all later frames; for this purpose, the
+    /// function also excludes their predecessors from earlier frames. Returns `none` after success. If the exclusion is
+    /// impossible, returns the index of an obligation that contains the initial state.
     std::size_t block(std::size_t first) {
         const auto later = [this](std::size_t a, std::size_t b) {
             const Obligation &one = obligations_[a], &other = obligations_[b];
@@ -224,7 +230,8 @@ private:
         return false;
     }
 
-    /// Excludes a generalization of the cube from the frame, and from later frames from which it can also be excluded.
+    /// Generalizes the cube and excludes the result from the frame and from each following frame, as long as the
+    /// exclusion is possible.
     void block_cube(Cube cube, std::size_t frame, bool obstacles = false) {
         generalise(cube, frame - 1, obstacles);
         Cube core;
@@ -239,8 +246,8 @@ private:
         frames_[frame].push_back(std::move(cube));
     }
 
-    /// Removes literals that are not necessary for the exclusion of the cube, starting with the literals that have been
-    /// used least.
+    /// Removes literals from the cube that are not necessary for its exclusion. The least frequently used literals are
+    /// tried first.
     void generalise(Cube& cube, std::size_t before, bool obstacles) {
         Cube order = cube;
         std::ranges::stable_sort(order, {}, [this](Literal literal) {
@@ -255,10 +262,10 @@ private:
         }
     }
 
-    /// True if no step leads from a state of the frame outside of `cube` into `cube`; then literals that are not
-    /// necessary to exclude such a step are removed from `cube`. A state with a step into `cube` is excluded first if
-    /// it has no predecessors in the previous frame. The number of these attempts is limited (Hassan, Bradley and
-    /// Somenzi 2013: "Better generalization in IC3").
+    /// True if no step leads from a state of the frame `before` that is outside of `cube` into `cube`. In this case,
+    /// removes literals from `cube` that are not necessary to exclude such a step. If a state of the frame has a step
+    /// into `cube`, but the state has no predecessor in the previous frame, the function first excludes this state. At
+    /// most three states are excluded in this way (Hassan, Bradley and Somenzi 2013: "Better generalization in IC3").
     bool excludes(Cube& cube, std::size_t before, bool obstacles) {
         if (holds_first_state(cube)) return false;
         Cube core;
@@ -272,9 +279,9 @@ private:
         return true;
     }
 
-    /// Moves each cube to the next frame if the cube can also be excluded from the next frame. Returns the first frame
-    /// whose list of cubes becomes empty, or nullopt if there is no such frame. A frame with an empty list and the next
-    /// frame exclude the same states.
+    /// Moves each cube to the list of the next frame if the cube can also be excluded from the next frame. Returns the
+    /// first frame whose list of cubes becomes empty, or nullopt if every list still contains a cube. A frame with an
+    /// empty list and the next frame exclude the same states.
     std::optional<std::size_t> propagated() {
         for (std::size_t frame = 1; frame < top(); ++frame) {
             const std::vector<Cube> cubes = frames_[frame];
@@ -321,12 +328,13 @@ private:
     LimitMonitor& watch_;
     std::function<void(std::size_t)> progress_;
     KnownInvariant known_;
-    const std::vector<Cube>* invariant_ = nullptr;  ///< the cubes of `known_`; null if they are not used yet
+    const std::vector<Cube>* invariant_ = nullptr;  ///< the cubes of `known_`; null until the search uses them
     std::uint64_t queries_ = 0;
     Justifier justifier_;
-    std::unordered_map<std::uint32_t, Literal> next_ = {};  ///< next value of the latch of each node
+    std::unordered_map<std::uint32_t, Literal> next_ = {};  ///< maps the node of each latch to the literal of its next
+                                                            ///< value
     std::optional<Solver> solver_ = {};
-    /// For each frame: the cubes that this frame excludes and the next frame does not exclude.
+    /// For each frame: the cubes that this frame excludes, but the next frame does not exclude.
     std::vector<std::vector<Cube>> frames_ = {};
     std::vector<int> active_ = {};  ///< for each frame: the assumption that activates its clauses
     std::vector<Obligation> obligations_ = {};

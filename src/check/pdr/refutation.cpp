@@ -15,7 +15,7 @@ namespace grafverif::pdr {
 
 namespace {
 
-/// Derives clauses by unit propagation, and records the clauses from which each of them follows.
+/// Derives clauses by unit propagation. For each derived clause, records the clauses from which it follows.
 class Propagation {
 public:
     explicit Propagation(const Clauses& clauses)
@@ -29,7 +29,8 @@ public:
     /// True if the empty clause has been derived.
     bool refuted() const { return !refuted_by_.empty(); }
 
-    /// Adds a clause that follows by unit propagation. Returns false if it does not follow.
+    /// Adds a clause that follows from the earlier clauses by unit propagation. Returns false if the clause does not
+    /// follow.
     bool derive(const std::vector<int>& clause) {
         const std::size_t permanent = trail_.size();
         std::size_t conflict = none;
@@ -52,7 +53,7 @@ public:
         return follows;
     }
 
-    /// Returns the steps on which the empty clause depends, in LRAT.
+    /// Returns the proof steps on which the empty clause depends, as text in the format LRAT.
     std::string text() const {
         std::vector<bool> needed(steps_.size());
         for (const std::size_t source : refuted_by_) needed[source] = true;
@@ -79,7 +80,7 @@ public:
 
 private:
     struct Step {
-        std::vector<int> literals = {};  ///< the first two literals are watched
+        std::vector<int> literals = {};  ///< the first two literals are the watched literals of unit propagation
         std::vector<std::size_t> from = {};
     };
     static constexpr std::size_t none = SIZE_MAX;
@@ -95,7 +96,7 @@ private:
         trail_.push_back(literal);
     }
 
-    /// Adds a step, and assigns the literals that follow from it permanently.
+    /// Adds a proof step, and permanently assigns the literals that follow from its clause.
     void add(const std::vector<int>& clause, std::vector<std::size_t> from) {
         const std::size_t made = steps_.size();
         steps_.push_back({clause, std::move(from)});
@@ -115,10 +116,11 @@ private:
         if (conflict != none) refuted_by_ = sources(conflict);
     }
 
-    /// Assigns all literals that follow. Returns a clause whose literals are false, or `none`.
+    /// Assigns all literals that follow by unit propagation. Returns the index of a clause whose literals are all
+    /// false, or `none`.
     std::size_t propagate() {
         while (propagated_ < trail_.size()) {
-            const int now = -trail_[propagated_++];  // false
+            const int now = -trail_[propagated_++];  // a literal that has become false
             std::vector<std::size_t> watching = std::exchange(watched_[index(now)], {});
             for (std::size_t k = 0; k < watching.size(); ++k) {
                 std::vector<int>& literals = steps_[watching[k]].literals;
@@ -145,7 +147,8 @@ private:
         return none;
     }
 
-    /// Returns the clauses that imply the conflict, in the order of propagation; the last one is the conflict.
+    /// Returns the indices of the clauses that imply the conflict, in the order of propagation; the last index is that
+    /// of the conflict clause.
     std::vector<std::size_t> sources(std::size_t conflict) const {
         std::vector<bool> seen(reason_.size());
         std::vector<std::size_t> from{conflict};
@@ -161,8 +164,8 @@ private:
     }
 
     std::vector<Step> steps_ = {};
-    std::vector<int> value_;           ///< by index(literal): 1 true, -1 false, 0 not assigned
-    std::vector<std::size_t> reason_;  ///< by variable: the clause that implies its value
+    std::vector<int> value_;           ///< for each index(literal): 1 true, -1 false, 0 not assigned
+    std::vector<std::size_t> reason_;  ///< for each variable: the index of the clause that implies its value
     std::vector<std::vector<std::size_t>> watched_;
     std::size_t given_;            ///< number of given clauses
     std::vector<int> trail_ = {};  ///< true literals, in the order of assignment
@@ -191,7 +194,7 @@ struct MemoryFile {
     FILE* file = nullptr;
 };
 
-/// Returns the proof of CaDiCaL in DRAT, or nothing if the clauses are satisfiable.
+/// Returns the refutation of the clauses by CaDiCaL in the format DRAT, or nullopt if the clauses are satisfiable.
 std::optional<std::string> proof_of_solver(const Clauses& clauses, LimitMonitor& watch) {
     MemoryFile file;
     SatSolver solver(watch);
@@ -220,7 +223,7 @@ std::optional<std::string> refutation(const Clauses& clauses, LimitMonitor& watc
     if (!proof) return {};
     std::istringstream lines(*proof);
     for (std::string line; !propagation.refuted() && std::getline(lines, line);) {
-        if (line.starts_with("d ")) continue;  // a deletion is not necessary
+        if (line.starts_with("d ")) continue;  // the proof remains valid without the deletion of clauses
         std::istringstream words(line);
         std::vector<int> clause;
         for (int literal = 0; words >> literal && literal != 0;) clause.push_back(literal);

@@ -8,8 +8,9 @@
 #include <new>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define SANITIZED                                                  // sanitizers replace the memory allocator
-extern "C" std::size_t __sanitizer_get_current_allocated_bytes();  // NOLINT: name of the sanitizer
+// Sanitizers replace the memory allocator. Therefore a function of the sanitizer measures the allocated memory.
+#define SANITIZED
+extern "C" std::size_t __sanitizer_get_current_allocated_bytes();  // NOLINT: the sanitizer defines this name
 #endif
 
 namespace grafverif::pdr {
@@ -33,7 +34,7 @@ LimitMonitor::LimitMonitor(const SolverLimits& bounds)
 void LimitMonitor::share(std::size_t parts) {
     met_.reset();
     calls_ = 0;
-    share_ = bounds_.deadline;  // the time limit of earlier work does not apply to later work
+    share_ = bounds_.deadline;  // discards the time limit of earlier work
     if (!bounds_.deadline || parts == 0) return;
     const auto now = std::chrono::steady_clock::now();
     if (now < *bounds_.deadline) share_ = now + (*bounds_.deadline - now) / static_cast<std::int64_t>(parts);
@@ -76,7 +77,7 @@ void LimitMonitor::look() {
 
 SatSolver::SatSolver(LimitMonitor& watch) : watch_(watch), solver_(std::make_unique<CaDiCaL::Solver>()) {
     solver_->set("quiet", 1);
-    solver_->set("profile", 0);  // with profiling, CaDiCaL would query the clock in every call
+    solver_->set("profile", 0);  // disables profiling, which would query the clock in every call of CaDiCaL
     solver_->connect_terminator(&watch);
 }
 

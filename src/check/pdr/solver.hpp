@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Incremental SAT solver (CaDiCaL; Biere, Fazekas, Fleury and Heisinger 2020) for gates of a circuit, which are Boolean
-// functions of the latches and inputs. A gate is translated to clauses on first use, so that the cost of a query
-// depends only on the gates in its cone.
+// Solver: an incremental SAT solver (CaDiCaL; Biere, Fazekas, Fleury and Heisinger 2020) for the gates of a circuit,
+// which are Boolean functions of the latches and inputs. A gate is translated to clauses when a query first uses it.
+// Therefore the cost of a query depends only on the gates in its cone of influence.
 #pragma once
 
 #include <atomic>
@@ -20,34 +20,35 @@ namespace grafverif::pdr {
 
 using Literal = Gates::Literal;
 
-/// Time and memory limits, and the cancellation flag.
+/// The memory limit, the deadline and the cancellation flag of a computation.
 struct SolverLimits {
-    std::uint64_t memory = std::uint64_t{2} << 30U;  ///< memory in bytes
+    std::uint64_t memory = std::uint64_t{2} << 30U;  ///< memory limit in bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;
 };
 
-/// Thrown when a limit is exceeded or the work is cancelled. The solver query that throws Exhausted has no result.
+/// Exception: a limit is exceeded, or the work is cancelled. A solver query that throws Exhausted has no result.
 struct Exhausted {
     enum class Cause { Memory, Stopped };
     Cause cause = Cause::Stopped;
 };
 
-/// Polls the limits while the solver or another caller works.
+/// Tests regularly whether a limit is exceeded, while the solver or another caller works.
 class LimitMonitor final : public CaDiCaL::Terminator {
 public:
     explicit LimitMonitor(const SolverLimits& bounds);
 
-    /// Divides the remaining time into `parts` equal shares, and sets the deadline to the end of the first share. Work
-    /// that reaches the deadline of its share can be continued in the next share.
+    /// Divides the remaining time into `parts` equal shares, and sets the deadline of the following work to the end of
+    /// the first share. Work that exceeds its share can be continued in a later share.
     void share(std::size_t parts);
     /// Limits the following work to `time` or to the remaining time, whichever is shorter.
     void limit(std::chrono::steady_clock::duration time);
-    /// Sets a flag that ends the following work when the flag becomes true; null removes the flag.
+    /// Sets a second cancellation flag: the following work ends when this flag becomes true. A null pointer removes the
+    /// flag.
     void end_with(const std::atomic<bool>* decided_elsewhere) { decided_elsewhere_ = decided_elsewhere; }
     std::optional<std::chrono::steady_clock::time_point> deadline() const { return share_; }
-    /// True if the work was cancelled or the deadline of SolverLimits has passed; deadlines of shares and the memory
-    /// limit are ignored.
+    /// True if the work was cancelled or the deadline of SolverLimits has passed. This function ignores the deadlines
+    /// of shares and the memory limit.
     bool over() const;
 
     bool terminate() override;
@@ -65,9 +66,9 @@ private:
     std::optional<Exhausted::Cause> met_ = {};
 };
 
-/// CaDiCaL with the limits of a LimitMonitor. After an exception such as std::bad_alloc, CaDiCaL is unusable: a further
-/// call aborts the process, and the destructor may release a wrong address (Internal::enlarge in 1.5.3). Therefore
-/// every later call throws std::bad_alloc, and the memory of the solver is not released.
+/// The SAT solver CaDiCaL with the limits of a LimitMonitor. After an exception such as std::bad_alloc, CaDiCaL is
+/// unusable: a further call aborts the process, and the destructor may release a wrong address (Internal::enlarge in
+/// 1.5.3). Therefore every later call throws std::bad_alloc, and the memory of the solver is not released.
 class SatSolver {
 public:
     explicit SatSolver(LimitMonitor& watch);
@@ -80,7 +81,7 @@ public:
     void expect_small_queries();
     /// Writes a proof in DRAT, as text, to `file`. Must be called before the first clause is added.
     void write_proof(FILE* file);
-    /// Completes the proof, after an unsatisfiable query.
+    /// Completes the proof file. Requires that the last query was unsatisfiable.
     void end_proof();
     void add(std::span<const int> clause);
     /// True if the clauses are satisfiable under the assumptions; if `one_of` is not empty, at least one of its
@@ -109,12 +110,12 @@ public:
     int of(Literal literal);
     /// Returns a new variable.
     int fresh() { return ++variables_; }
-    /// Adds clauses: if `condition` is true, the variables of all latches are false. The clauses also apply to latches
-    /// whose variables are created later.
+    /// Adds clauses which state that the variables of all latches are false if `condition` is true. Such clauses are
+    /// also added for latches whose variables are created later.
     void all_false_under(int condition);
 
     void add(std::span<const int> clause);
-    /// See SatSolver::solve.
+    /// Solves a query; see SatSolver::solve.
     bool solve(std::span<const int> assumptions, std::span<const int> one_of = {}) {
         return solver_.solve(assumptions, one_of);
     }

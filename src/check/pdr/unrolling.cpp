@@ -18,8 +18,8 @@ Unrolling::Unrolling(const Circuit& circuit, LimitMonitor& watch)
     }
 }
 
-/// Determines the literal of `node` after `step` steps from the literals of its operands. Returns false if the literals
-/// of the operands are not known yet.
+/// Determines the unrolled literal for `node` after `step` steps from the unrolled literals of its operands. Returns
+/// false if a literal of an operand is necessary, but not known yet.
 bool Unrolling::settle(std::uint32_t node, std::size_t step) {
     Literal& made = states_[step][node];
     const auto known = [&](Literal literal, std::size_t when) {
@@ -39,7 +39,7 @@ bool Unrolling::settle(std::uint32_t node, std::size_t step) {
     return made != unknown;
 }
 
-/// Returns the unrolled literal for the value of `literal` after `step` steps.
+/// Returns the literal of the unrolled circuit that represents the value of `literal` after `step` steps.
 Literal Unrolling::at(Literal literal, std::size_t step) {
     while (states_.size() <= step) {
         states_.emplace_back(circuit_.gates.size(), unknown);
@@ -57,7 +57,8 @@ Literal Unrolling::at(Literal literal, std::size_t step) {
             open.emplace_back(node_of(next_[node]), when - 1);
             continue;
         }
-        // The first operand is unrolled first; if it is the constant false, the second operand is not unrolled.
+        // The left operand is unrolled first. If the left operand is the constant false, the right operand is not
+        // unrolled.
         const Gates::Node gate = circuit_.gates[node];
         const bool left = states_[when][node_of(gate.left)] == unknown;
         open.emplace_back(node_of(left ? gate.left : gate.right), when);

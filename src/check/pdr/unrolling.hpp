@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Bounded model checking (Biere, Cimatti, Clarke and Zhu 1999: "Symbolic model checking without BDDs"). One graph of
-// gates represents the states of all runs of a circuit up to a number of steps. The graph grows with every step. The
-// latches of the first state are constants, and equal gates of different steps are represented by one gate. Therefore,
-// for a small number of steps, most gates are simplified before solving. Only gates on which a query depends are
-// unrolled.
+// Bounded model checking (Biere, Cimatti, Clarke and Zhu 1999: "Symbolic model checking without BDDs"). One circuit of
+// gates represents the states of all runs up to a number of steps; every further step adds gates. The latches of the
+// initial state are constants, and one gate represents equal gates of different steps. Therefore, for a small number of
+// steps, most gates are simplified before solving. Only gates on which a query depends are unrolled.
 #pragma once
 
 #include <optional>
@@ -14,7 +13,7 @@
 
 namespace grafverif::pdr {
 
-/// Values of the inputs of a circuit in each state of a run.
+/// Values of the inputs of a circuit, for each state of a run.
 using RunInputs = std::vector<std::vector<bool>>;
 
 class Unrolling {
@@ -35,10 +34,10 @@ private:
 
     const Circuit& circuit_;
     LimitMonitor& watch_;
-    std::vector<Literal> next_;                      ///< next value of the latch of each node
+    std::vector<Literal> next_;                      ///< literal of the next value, for the node of each latch
     std::vector<bool> is_latch_;                     ///< true if the node is a latch
-    Circuit unrolled_ = {};                          ///< contains only gates
-    std::vector<std::vector<Literal>> states_ = {};  ///< unrolled literal for each step and node
+    Circuit unrolled_ = {};                          ///< unrolled circuit; it has no latches
+    std::vector<std::vector<Literal>> states_ = {};  ///< literal of `unrolled_` for each step and node
     Solver solver_;
 };
 

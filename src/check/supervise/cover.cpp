@@ -15,8 +15,9 @@ struct Irredundant {
     Bdd function = {};
 };
 
-/// Computes a sum of products that is implied by `low` and implies `high` (Minato 1992, "Fast generation of irredundant
-/// sum-of-products forms from binary decision diagrams"). The recursion depth is at most the number of variables.
+/// Computes a sum of products f such that `low` implies f and f implies `high` (Minato 1992, "Fast generation of
+/// irredundant sum-of-products forms from binary decision diagrams"). The recursion depth is at most the number of
+/// variables.
 class Generator {
 public:
     Generator(const BddSpace& space, std::size_t most) : space_(space), most_(most) {}

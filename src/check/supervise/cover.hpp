@@ -11,17 +11,18 @@
 
 namespace grafverif::supervise {
 
-/// An irredundant sum of products, from which no product and no literal can be removed. If `negated` is true, the sum
-/// of products represents the negation of the condition.
+/// A condition as an irredundant sum of products: no product and no literal of the sum can be removed. If `negated` is
+/// true, the sum represents the negation of the condition.
 struct Cover {
     /// Products of the sum; without products, the sum is the constant false.
     std::vector<std::vector<BddLiteral>> products = {};
     bool negated = false;
 };
 
-/// Returns a condition that is true on `on` and false on `off`, which must be disjoint. Variables are removed greedily,
-/// in the order of `variables`. The result represents the condition or its negation, whichever has the shorter sum of
-/// products. The result is nullopt if both sums have more than `most` products.
+/// Returns a condition that is true on the set `on` and false on the set `off`. The two sets must be disjoint. The
+/// function tries to eliminate each variable from the condition, in the order of `variables`. The result represents the
+/// condition or its negation, whichever has the shorter sum of products. Returns nullopt if both sums have more than
+/// `most` products.
 std::optional<Cover> cover(const BddSpace& space, Bdd on, Bdd off, std::span<const std::uint32_t> variables,
                            std::size_t most);
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Supervisory-control game: the charts of a system (controllable) against its plant (uncontrollable).
+// Game: the supervisory-control game of the charts of a system (controllable) against its plant (uncontrollable).
 //
-// In each evolution, a chart clears transitions and sets outputs. The supervisor refuses permissions to clear
-// transitions and to set outputs. All other moves are uncontrollable: moves of the plant, of the environment and of
-// timers, and the choice of the process that moves next. In terms of Ramadge and Wonham (1987), "Supervisory control of
-// a class of discrete event processes", permissions are the controllable events. However, the supervisor cannot prevent
-// the evolution itself.
+// In each evolution, a chart clears transitions and sets outputs. The supervisor can refuse the chart the permission to
+// clear a transition or to set an output. All other moves are uncontrollable: moves of the plant, of the environment
+// and of timers, and the choice of the process that moves next. In terms of Ramadge and Wonham (1987), "Supervisory
+// control of a class of discrete event processes", permissions are the controllable events. However, the supervisor
+// cannot prevent an evolution as such.
 //
 // A state is losing if it is bad or if an uncontrollable move leads to a losing state. A state is also losing if an
 // evolution of some chart leads to a losing state for every choice of permissions. Finally, a state is losing if every
@@ -25,16 +25,18 @@ namespace grafverif::supervise {
 /// A controller of the system, which is a player of the game.
 struct Player {
     Bdd evolves = {};  ///< function of states and choices: true if the step is an evolution of this player
-    /// Permissions, each of which is a choice that is represented by a variable of the space.
+    /// The permissions of the player. Each permission is a choice of the system; a variable of the space represents the
+    /// choice.
     std::vector<Bdd> may = {};
 };
 
-/// The losing states, in stages in the order of their detection. A state of a stage is bad or blocked, or an
-/// uncontrollable move or an evolution leads from this state to a state of an earlier stage.
+/// The losing states, in stages in the order of their detection. For each state of a stage, one of these statements is
+/// true: the state is bad; the stage is blocked; an uncontrollable move leads to an earlier stage; or an evolution
+/// leads to an earlier stage for every choice of permissions.
 struct LosingRegion {
     struct Stage {
         Bdd states = {};
-        /// True: every path from these states to a marked state contains a losing state of an earlier stage.
+        /// True if every path from these states to a marked state contains a losing state of an earlier stage.
         bool blocked = false;
     };
     std::vector<Stage> stages = {};
@@ -43,7 +45,8 @@ struct LosingRegion {
 
 class Game {
 public:
-    /// The model must outlive the game. `reached` contains the states that are reachable under all permissions.
+    /// The model must outlive the game. `reached` contains the states that are reachable if all permissions are
+    /// granted.
     Game(const symbolic::StateSpace& model, const BddSpace& space, std::vector<Player> players, Bdd reached);
 
     std::size_t players() const { return players_.size(); }
@@ -62,15 +65,15 @@ public:
     /// of the player leads to `to` for every choice of permissions.
     const Bdd& ready(std::size_t player) const { return ready_[player]; }
     Bdd helpless(std::size_t player, const Bdd& to) const { return ready(player) & ~states(~evolves_to(player, to)); }
-    /// Functions of states and choices. `is_move` is true if the step is not an evolution; `is_evolution` is true if
-    /// the step is an evolution of the player.
+    /// Functions of states and choices. `is_move` is true if the step is an uncontrollable move, not an evolution.
+    /// `is_evolution` is true if the step is an evolution of the player.
     const Bdd& is_move() const { return is_move_; }
     const Bdd& is_evolution(std::size_t player) const { return players_[player].evolves; }
-    /// Returns the states of `pairs`, without the permissions.
+    /// Returns the states of `pairs`, which is a set of pairs of a state and permissions.
     Bdd states(const Bdd& pairs) const { return exists(pairs, all_may_); }
 
-    /// Returns all losing states, given the bad states `bad` and the marked states `marked`. `losing` contains the
-    /// losing states that are already known.
+    /// Returns all losing states, given the bad states `bad` and the marked states `marked`. The argument `losing`
+    /// contains the losing states that are already known.
     LosingRegion solve(const Bdd& bad, const Bdd& marked, LosingRegion losing = {}) const;
     /// Returns the pairs of a winning state and permissions under which an evolution of the player leads to a winning
     /// state.

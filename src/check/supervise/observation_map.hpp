@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Maps sets of states to sets of observed values of a chart, and back. An observation is a Boolean function of states.
-// A set of observed values ("sights") is a Boolean function with one variable per observation. An observation that is a
-// bit of the state is represented by the variable of this bit.
+// ObservationMap: maps sets of states to the sets of values that a chart observes in these states, and vice versa. An
+// observation is a Boolean function of states. A set of observed values ("sights") is a Boolean function with one
+// variable per observation. An observation that is a bit of the state is represented by the variable of this bit.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,8 @@ namespace grafverif::supervise {
 
 class ObservationMap {
 public:
-    /// Creates the map and adds variables to the space.
+    /// Creates the map for the observations `seen`. Adds a variable to the space for each observation that is not a bit
+    /// of the state.
     ObservationMap(const symbolic::StateSpace& model, BddSpace& space, const std::vector<Bdd>& seen);
 
     /// `sights` returns the values that are observed in `states`. `states` returns the states in which a value of
@@ -21,8 +22,8 @@ public:
     Bdd sights(const Bdd& states) const { return and_exists(states, link_, unseen_); }
     Bdd states(const Bdd& sights) const { return and_exists(sights, link_, own_); }
 
-    /// Returns a literal for each observation: its variable, and the value that this variable has if the observation is
-    /// true.
+    /// Returns a literal for each observation: the variable of the observation, and the value that this variable has if
+    /// the observation is true.
     const std::vector<BddLiteral>& literals() const { return literals_; }
 
 private:

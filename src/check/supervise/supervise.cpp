@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Synthesizes the conditions of a supervisor from the solution of a game (see game.hpp). The search explores the states
-// that are reachable under the current conditions. If an evolution reaches a losing state, all conditions are
-// recomputed for the explored states, and the exploration continues until no evolution reaches a losing state. Two
-// further types of states are treated as losing: states that the observations do not distinguish sufficiently, and
-// states from which no marked state is reachable under the conditions. If there are states of these types, the
-// synthesis is restarted; the resulting conditions are sound and classified as `Cautious`.
+// Synthesizes the conditions of a supervisor from the solution of a game (see game.hpp). The synthesis explores the
+// states that are reachable under the current conditions. If an evolution reaches a losing state, the synthesis
+// recomputes all conditions for the explored states and continues the exploration, until no evolution reaches a losing
+// state. Two further types of states are treated as losing: states that the observations do not distinguish
+// sufficiently, and states from which no marked state is reachable under the conditions. If states of these types
+// exist, the synthesis is restarted; the resulting conditions are still sound and are classified as `Cautious`.
 #include "check/supervise/supervise.hpp"
 
 #include <algorithm>
@@ -23,13 +23,13 @@ namespace supervise {
 
 namespace {
 
-constexpr std::size_t most_products = 64;  ///< maximum number of terms of a condition
+constexpr std::size_t most_products = 64;  ///< maximum number of terms (products) of a condition
 
 using symbolic::StateSpace;
 
-/// The policy of a player: the permissions that the player refuses. `refusals` contains, for each permission, the
-/// observations with which the permission is refused; for outputs, these are observations after the evolution. `obeyed`
-/// represents the same policy as a function of states and permissions.
+/// A policy: the permissions that the supervisor refuses to one controller (player). `refusals` contains, for each
+/// permission, the observations for which the permission is refused; for outputs, these are the observations after the
+/// evolution. `obeyed` represents the same policy as a function of states and permissions.
 struct Policy {
     std::vector<Bdd> refusals = {};
     Bdd obeyed = Bdd::constant(true);
@@ -91,7 +91,7 @@ private:
     struct Terms {
         Id<Expr> evolves = {};
         std::vector<Id<Expr>> seen = {}, may = {}, effects = {};
-        /// For each permission and site: a term or an invalid id.
+        /// For each permission and site (an action that may set the output): a term or an invalid id.
         std::vector<std::vector<Id<Expr>>> site_effects = {};
     };
 
@@ -160,7 +160,8 @@ private:
 
     // -- conditions over observations ---------------------------------------------------------------------------------
 
-    /// Returns the pairs of a state and permissions for which the observations `sights` refuse the permission `index`.
+    /// Returns the pairs of a state and permissions in which the permission `index` is refused, if it is refused for
+    /// the observations `sights`.
     Bdd refused(std::size_t player, std::size_t index, const Bdd& sights) const {
         if (sights.is_false()) return {};
         const Bdd states = seen_[player].states(sights);
@@ -174,10 +175,10 @@ private:
         return made;
     }
 
-    /// Returns a policy for the states of `within`. The permissions are decided one after another: first those of
-    /// transitions, then those of outputs. A permission is refused for the observations of the states in which no
-    /// allowed pair grants the permission. States without an allowed combination of permissions are added to
-    /// `none_left`.
+    /// Returns a policy for the states of `within`. The function decides the permissions sequentially: first the
+    /// permissions of transitions, then those of outputs. A permission is refused for the observations of all states in
+    /// which no allowed combination of permissions includes it. If no combination of permissions is allowed in a state,
+    /// the state is added to `none_left`.
     Policy decided(std::size_t player, const Bdd& within, const LosingRegion& losing, Bdd& none_left) const {
         const std::vector<Bdd>& may = game_->may(player);
         Policy made{std::vector<Bdd>(may.size())};
@@ -194,7 +195,7 @@ private:
             made.obeyed &= obeyed;
             return obeyed;
         };
-        Bdd wanted = pairs;  // the pairs in which no further output can be permitted
+        Bdd wanted = pairs;  // the allowed pairs in which no further output can be permitted
         for (std::size_t index = 0; index < may.size(); ++index)
             if (permission(player, index).output) wanted &= may[index] | ~game_->states(wanted & may[index]);
         for (std::size_t index = 0; index < may.size(); ++index)
@@ -217,8 +218,8 @@ private:
         return closed(model_->initial(), {}, lenient());
     }
 
-    /// Returns `states` and the states that are reachable from them under the policies on paths that do not enter a
-    /// losing state.
+    /// Returns `states` and all states that are reachable from `states` under the policies on paths without a losing
+    /// state.
     Bdd closed(Bdd states, const LosingRegion& losing, const std::vector<Policy>& policies) const {
         for (Bdd latest = states; !latest.is_false(); states |= latest) {
             Bdd next = game_->moved(latest);
@@ -229,7 +230,8 @@ private:
         return states;
     }
 
-    /// Computes the policies. If no suitable policies exist, adds losing states and returns false.
+    /// Computes the policies of all players. If no policies avoid the losing states, adds further states to `losing`
+    /// and returns false.
     bool settled(LosingRegion& losing) {
         policies_ = lenient();
         Bdd considered = model_->initial();
@@ -253,7 +255,7 @@ private:
         return false;
     }
 
-    /// Returns the reached states from which a marked state is reachable under the policies.
+    /// Returns the states of `under_` from which a marked state is reachable under the policies.
     Bdd returning(const LosingRegion& losing) const {
         std::vector<Bdd> pairs;
         for (std::size_t player = 0; player < game_->players(); ++player)
@@ -270,7 +272,8 @@ private:
 
     // -- classification of the conditions -----------------------------------------------------------------------------
 
-    /// Returns the pairs of a state and permissions for which the permission `index` has an effect.
+    /// Returns the pairs of a state and permissions in which the permission `index` has an effect: it changes the
+    /// evolution.
     Bdd relevant(std::size_t player, std::size_t index) const {
         const Bdd& may = game_->may(player)[index];
         const auto with = [&](const Bdd& f, bool value) {
@@ -348,7 +351,8 @@ private:
         return true;
     }
 
-    /// Compares the chosen permissions with all allowed permissions. A permission without effect is treated as granted.
+    /// Compares the chosen permissions with all allowed combinations of permissions, and records the permissions that
+    /// could be granted more often. A permission without effect is treated as granted.
     void claim(std::size_t player, const Bdd& chosen, const std::vector<Bdd>& matters, Bdd allowed) {
         const std::vector<Bdd>& may = game_->may(player);
         std::vector<Bdd> permitted;  // states in which the permission is granted or has no effect
@@ -395,8 +399,8 @@ private:
         return std::move(result_);
     }
 
-    /// Appends a step from `state` to a stage before `stage`: a move if there is such a move, otherwise an evolution
-    /// with all permissions.
+    /// Appends to `path` a step from `state` to a state of a stage before `stage`. The step is an uncontrollable move
+    /// if such a move exists, and otherwise an evolution with all permissions.
     void step(symbolic::Path& path, symbolic::State& state, const LosingRegion& losing, std::size_t stage) const {
         const Bdd only = model_->only(state);
         const auto go = [&](const Bdd& to, const Bdd& how) {
@@ -430,7 +434,8 @@ private:
     std::optional<Game> game_ = {};
     std::vector<ObservationMap> seen_ = {};       ///< observation map of each player
     std::vector<std::vector<Bdd>> effects_ = {};  ///< for each player and permission: condition of its effect
-    /// For each player, permission and site: set of the steps in which the action of the site sets the output.
+    /// For each player, permission and site (an action that may set the output): set of the steps in which the action
+    /// of the site sets the output.
     std::vector<std::vector<std::vector<Bdd>>> site_effects_ = {};
     std::vector<std::vector<Bdd>> observed_ = {};  ///< functions of the state that each player observes
     std::vector<Bdd> bads_ = {};                   ///< for each bad term: states in which it is true or undefined

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// supervisor_of: synthesizes the restrictions of charts under which no bad state is reachable and marked states remain
-// reachable.
+// supervisor_of: synthesizes restrictions of charts. Under the restrictions, no bad state is reachable, and marked
+// states remain reachable.
 //
-// The synthesis solves the game (game.hpp) on a system in which each transition and each output of the charts has a
-// permission, which is a choice. The condition of a permission states when the permission is granted. A condition reads
-// only the observations of its chart, so that the restrictions are equal in states with equal observations.
+// The synthesis solves a game (game.hpp) on a system in which each transition and each output of the charts has a
+// *permission*: a choice that allows the transition to be cleared or the output to be set. The condition of a
+// permission states when the permission is granted. A condition reads only the observations of its chart, so that the
+// restrictions are equal in states with equal observations.
 //
-// The conditions are classified with respect to the states that are reachable if the conditions restrict the charts:
+// The conditions are classified; the classification considers only states that are reachable under the conditions:
 //   Least     every refused permission would lead to a losing state, so that no supervisor can grant more permissions
 //   Several   a permission could be granted more often only if another permission were refused more often; the
 //             synthesis refuses transitions before outputs, and later elements before earlier elements
@@ -29,29 +30,29 @@ namespace grafverif {
 struct Supervision {
     /// A permission to clear a transition or to set an output.
     struct Permission {
-        /// Symbol of main: a Boolean choice, which is false if the permission is refused.
+        /// Symbol of the main module: a Boolean choice, which is false if the permission is refused.
         Id<TransitionSystem::Symbol> symbol = {};
         bool output = false;
-        Id<Expr> effect = {};  ///< term over main: true if the transition is cleared, or the output is set, in the step
+        Id<Expr> effect = {};  ///< term over the main module: true if the step clears the transition or sets the output
         /// For an output: indices of observations, one for each action that may set the output. Each of these
         /// observations is called a site.
         std::vector<std::size_t> sites = {};
-        /// For each site, a term over main: true if the action of the site sets the output in the step, provided that
+        /// For each site, a term over the main module: true if the action of the site sets the output in the step and
         /// the permission is granted. If the term is missing or invalid, the action sets the output whenever the
         /// observation of the site is true.
         std::vector<Id<Expr>> site_effects = {};
     };
     struct Controller {
-        Id<Expr> evolves = {};  ///< term over main: true if the step is an evolution of the controller
-        /// Terms over main, without choices: the observations of the controller. A controller does not observe its
-        /// outputs.
+        Id<Expr> evolves = {};  ///< term over the main module: true if the step is an evolution of the controller
+        /// Terms over the main module, without choices: the observations of the controller. A controller does not
+        /// observe its outputs.
         std::vector<Id<Expr>> seen = {};
         std::vector<Permission> permissions = {};
     };
     std::vector<Controller> controllers = {};
-    /// Terms over main, without choices: a state is bad if one of these terms is true or undefined.
+    /// Terms over the main module, without choices. A state is bad if one of these terms is true or undefined.
     std::vector<Id<Expr>> bad = {};
-    Id<Expr> marked = {};  ///< term over main, without choices: states that must remain reachable
+    Id<Expr> marked = {};  ///< term over the main module, without choices: marks the states that must remain reachable
 };
 
 struct SuperviseOptions {
@@ -64,8 +65,8 @@ struct SuperviseOptions {
 struct Supervisor {
     enum class Outcome {
         Found,
-        /// No conditions avoid all bad states and keep marked states reachable, even if the conditions read all
-        /// variables.
+        /// No supervisor exists: even conditions that read all variables cannot avoid all bad states and keep marked
+        /// states reachable.
         None,
         Unknown,  ///< the synthesis was inconclusive; `reason` states why
     };
@@ -99,8 +100,8 @@ struct Supervisor {
     std::vector<Selection> hidden = {};
     /// Several: permissions that could be granted more often if other permissions were refused more often.
     std::vector<Selection> traded = {};
-    /// Found: permissions that the conditions refuse in some reachable state, and that have no effect in any reachable
-    /// state. The transition of such a permission is never cleared, or its output is never set.
+    /// Found: permissions that the conditions refuse in some reachable state and that have no effect in any reachable
+    /// state. The transition of such a permission is never cleared, or the output of such a permission is never set.
     std::vector<Selection> disabled = {};
     /// An observation, identified by its indices.
     struct Observation {
@@ -110,11 +111,11 @@ struct Supervisor {
     /// Found: observations that are true in some reachable state of the system without conditions, but not in any
     /// reachable state with the conditions.
     std::vector<Observation> newly_unreachable = {};
-    /// For each term of `bad`: true if it holds in some state that is reachable without conditions. Empty for Unknown,
-    /// or if no condition is necessary.
+    /// For each term of Supervision::bad: true if the term holds in some state that is reachable without conditions.
+    /// Empty if the outcome is Unknown or if no condition is necessary.
     std::vector<bool> violated = {};
-    /// None: a run to a bad state in which all permissions are granted. No supervisor can prevent a move of this run.
-    /// If `blocked` is true, the run leads to a state from which every path to a marked state contains a losing state.
+    /// None: a run to a bad state in which all permissions are granted. No supervisor can prevent this run. If
+    /// `blocked` is true, the run leads to a state from which every path to a marked state contains a losing state.
     std::optional<FlatRun> run = {};
     bool blocked = false;
     FlatSystem flat = {};  ///< system with the variables of `run`

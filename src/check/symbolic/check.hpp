@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A symbolic check: owns the space of decision diagrams, the model and the verdicts. After `result`, the object can be
-// used for further queries about the state space.
+// Check: a check with the symbolic engine. Owns the space of decision diagrams, the model and the verdicts. After a
+// call of `result`, the object can answer further queries about the state space.
 #pragma once
 
 #include <chrono>
@@ -33,7 +33,8 @@ public:
     const StateSpace& model() const { return *model_; }
     const Bdd& reached() const { return search_.reached; }
     ReachableSet& search_made() { return search_; }
-    /// Returns a term over main as a function of states and choices. Requires that the term has a value in every state.
+    /// Returns a term over the main module as a function of states and choices. Requires that the term has a value in
+    /// every state.
     Bdd meaning(const TransitionSystem& system, Id<Expr> term);
 
 private:

@@ -68,7 +68,7 @@ private:
     }
 
     /// Returns the first conjunct of the condition that is a named variable or its negation and is false in all states
-    /// of `reachable_`. The result is empty if there is no such conjunct.
+    /// of `reachable_`. The result is an empty string if no conjunct has these properties.
     std::string false_part(Id<Expr> condition) {
         std::vector<Id<Expr>> parts = {condition};
         if (flat_.exprs[condition].op == Op::And)
@@ -87,7 +87,8 @@ private:
     FlatSystem& flat_;
     const StateSpace& model_;
     Bdd reachable_;
-    // Name of each flat variable that represents a step, an input, an output or an internal variable.
+    // Maps the index of each flat variable that represents a step, an input, an output or an internal variable to its
+    // name.
     std::map<std::int64_t, std::string> names_ = {};
 };
 

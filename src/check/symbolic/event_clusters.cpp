@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Splits the steps of the transition relation by the values of choices. A choice is split if, on average over its
-// values, enough bits stay unchanged. If a value of the choice implies the values of other choices, the other choices
-// are replaced by these values before the unchanged bits are counted. For example, a process that is not selected does
-// not take an edge, so that its bits stay unchanged.
+// Splits the steps of the transition relation by the values of choices. The steps are split by a choice if, on average
+// over the values of the choice, enough bits of the state stay unchanged. If a value of the choice implies values of
+// other choices, the other choices are replaced by these values before the unchanged bits are counted. For example, a
+// process that is not selected does not take an edge, so its bits stay unchanged.
 #include "check/symbolic/event_clusters.hpp"
 
 #include <algorithm>
@@ -13,12 +13,13 @@ namespace grafverif::symbolic {
 
 namespace {
 
-/// A choice is split if, on average over its values, at most this fraction of the bits can change.
+/// Steps are split by a choice only if, on average over its values, at most this fraction of the bits can change.
 constexpr double worth_splitting = 0.6;
 /// Maximum size, in nodes, of a condition that is used to show that a bit is unchanged.
 constexpr std::size_t most_joined_nodes = 100;
 
-/// A function with its support. The support is stored because it is needed repeatedly.
+/// A function with its support (the variables on which it depends). The support is stored because it is needed
+/// repeatedly.
 struct Read {
     Bdd function = {};
     std::vector<std::uint32_t> variables = {};
@@ -36,7 +37,7 @@ struct Read {
 
 struct Rules {
     std::vector<Read> conditions = {};
-    /// Each state bit, with the function of its value after a step.
+    /// Each state bit that a step may change, with the function that is its value after the step.
     std::vector<std::pair<std::uint32_t, Read>> bits = {};
 };
 
@@ -78,8 +79,8 @@ public:
     }
 
 private:
-    /// Returns the rules that remain for each value of the word; values without steps are omitted. The result is empty
-    /// if no condition reads the word.
+    /// Returns the rules under each value of the choice `word`; values for which no step is possible are omitted. The
+    /// result is empty if no condition reads `word`.
     std::vector<Rules> by_value(const Rules& rules, const BddWord& word) const {
         const auto read = [&](const Read& each) { return each.reads_any(word.bits); };
         std::vector<Rules> parts;
@@ -90,9 +91,9 @@ private:
         return parts;
     }
 
-    /// Returns the rules for the steps that satisfy `literals`, a conjunction of literals of choices, and all literals
-    /// of choices that these steps imply. Bits that these steps leave unchanged are omitted. The result is empty if no
-    /// step satisfies `literals`.
+    /// Returns the rules for the steps that satisfy `literals`, which is a conjunction of literals of choices. Literals
+    /// of other choices that follow from the conditions are also substituted. Bits that these steps leave unchanged are
+    /// omitted. The result is nullopt if no step satisfies `literals`.
     std::optional<Rules> under(const Rules& rules, Bdd literals) const {
         Rules left = rules;
         while (!literals.is_true()) {
@@ -114,8 +115,8 @@ private:
         return left;
     }
 
-    /// True if simple conditions (without choices, and with at most `most_joined_nodes` nodes) suffice to show that no
-    /// step changes the bit.
+    /// True if no step changes the bit, according to a limited test. The test uses only simple conditions: conditions
+    /// without choices and with at most `most_joined_nodes` nodes.
     bool stays(std::uint32_t bit, const Read& value, const std::vector<Read>& conditions) const {
         Bdd changes = value.function ^ space_.variable(bit);
         for (const Read& each : conditions)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Event clusters: a disjunctive partition of the transition relation. Steps are grouped by the value of a choice, if
-// this value determines which bits of the state can change. An interleaved closed loop has one cluster for each
-// automaton and one cluster for time.
+// Event clusters: parts of the transition relation whose union is the complete relation (disjunctive partition). Steps
+// are grouped by the value of a choice if this value determines which bits of the state can change. An interleaved
+// closed loop has one cluster for each automaton and one cluster for time.
 #pragma once
 
 #include <span>

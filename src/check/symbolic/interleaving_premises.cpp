@@ -47,8 +47,8 @@ const Bdd& InterleavingPremises::moving_forever() {
     return moving_forever_.emplace(std::move(staying));
 }
 
-/// Returns the states of a shortest path of moves in `within` to a state of `goal`, including both ends, or an empty
-/// list if there is no path.
+/// Returns the states of a shortest path of moves from `from` through states of `within` to a state of `goal`. The
+/// result includes the first and the last state of the path. If there is no path, the result is empty.
 std::vector<State> InterleavingPremises::moves_to(const State& from, const Bdd& goal, const Bdd& within) const {
     bdd::Rings rings;
     for (bool more = rings.add(model_.only(from)); more && (rings.each.back() & goal).is_false();)
@@ -61,14 +61,14 @@ std::vector<State> InterleavingPremises::moves_to(const State& from, const Bdd& 
         });
 }
 
-/// Adds to `run` all states except the last, each with the choices of the move to the next state.
+/// Appends to `run` all states of `states` except the last, each with the choices of the move to the next state.
 void InterleavingPremises::add_moves(const std::vector<State>& states, FlatRun& run) const {
     for (std::size_t i = 0; i + 1 < states.size(); ++i)
         run.states.push_back(model_.values(states[i], &states[i + 1], moves_));
 }
 
-/// Adds to `run` moves between states of `within`, until a state is repeated. Requires that a move leads from each
-/// state of `within` to a state of `within`.
+/// Appends to `run` moves between states of `within`, starting in `from`, until a state is repeated. Requires that a
+/// move leads from each state of `within` to a state of `within`.
 void InterleavingPremises::follow_moves(State from, const Bdd& within, FlatRun& run) const {
     std::map<State, std::size_t> seen;
     while (seen.emplace(from, run.states.size()).second) {

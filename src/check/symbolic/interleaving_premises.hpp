@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Interleaving premises: facts about a part (independent subsystem) of a loop on which verdicts about other,
-// interleaved parts depend, and the runs that show these facts (docs/explanation/decomposition.md, "Sub-loops").
+// InterleavingPremises: facts about one part (independent subsystem) of a loop. Verdicts about the other parts, whose
+// steps are interleaved with the steps of this part, depend on these facts (docs/explanation/decomposition.md,
+// "Sub-loops"). The class also returns runs that demonstrate the facts.
 //
-// In a step, the part waits or moves. If the loop has clocks, the part waits in a step in which time passes; a step in
-// which the part neither waits nor moves repeats a state without successors.
+// In a step, the part waits or moves. If the loop has clocks, the part waits in each step in which time passes. If the
+// part neither waits nor moves in a step, the step repeats a state from which no other step is possible.
 #pragma once
 
 #include <optional>
@@ -23,7 +24,7 @@ public:
 
     /// True if the part waits infinitely often in some run.
     bool diverges() { return !(waiting_forever() & model_.initial()).is_false(); }
-    /// True if, from each reachable state, the part can reach a step that waits.
+    /// True if, from each reachable state, the part can reach a step in which it waits.
     bool never_locks();
     /// True if the part has no infinite sequence of moves without waiting.
     bool rests() { return moving_forever().is_false(); }
@@ -36,9 +37,9 @@ public:
     /// Returns a run in which the part waits infinitely often, or nullopt if the run would be too long. Requires
     /// diverges().
     std::optional<FlatRun> waiting_run();
-    /// Returns moves from the state with the values `from` to a state of `goal`. If moves cannot reach a state of
-    /// `goal`, returns an infinite sequence of moves. Requires that every finite maximal sequence of moves ends in
-    /// `goal`.
+    /// Returns a run of moves from the state with the values `from` to a state of `goal`. If no sequence of moves
+    /// reaches a state of `goal`, returns an infinite run of moves. Requires that every maximal finite sequence of
+    /// moves ends in `goal`.
     FlatRun moves_on(const std::vector<std::int64_t>& from, const Bdd& goal) const;
     /// Returns the reachable states from which no move is possible.
     Bdd still() const { return reached_ & ~model_.preimage(reached_, move_steps_); }

@@ -16,14 +16,14 @@ namespace {
 
 using Variable = FlatSystem::Variable;
 
-/// A term or its negation.
+/// A term, or its negation if `positive` is false.
 struct Signed {
     Id<Expr> term = {};
     bool positive = true;
 };
 
-/// Returns the operands of a conjunction, or of a disjunction if `disjunction` is true. For any other term, the result
-/// is the term itself.
+/// Returns the operands of a nested conjunction, or of a nested disjunction if `disjunction` is true. If `root` is
+/// another kind of term, the result contains only `root`.
 std::vector<Signed> operands_of(const Exprs& exprs, Signed root, bool disjunction) {
     std::vector<Signed> open{root}, found;
     while (!open.empty()) {
@@ -39,10 +39,10 @@ std::vector<Signed> operands_of(const Exprs& exprs, Signed root, bool disjunctio
     return found;
 }
 
-/// Returns conjuncts, whose conjunction is true for exactly the assignments for which `condition` is true and defined.
-/// For example, `a -> b and not (c or d)` yields `a -> b`, `a -> not c` and `a -> not d`. Undefined operands need not
-/// be considered separately: if `condition` is defined although an operand is undefined, an earlier operand determines
-/// the value of `condition`.
+/// Splits `condition` into conjuncts. Their conjunction is true for exactly the assignments for which `condition` is
+/// true and defined. For example, the conjuncts of `a -> b and not (c or d)` are `a -> b`, `a -> not c` and `a -> not
+/// d`. Undefined operands need not be considered separately: if `condition` is defined although an operand is
+/// undefined, an earlier operand determines the value of `condition`.
 std::vector<Bdd> conjuncts(const Exprs& exprs, BddTerms& terms, Id<Expr> condition) {
     const BddTerm& whole = terms(condition);
     if (!whole.undefined.is_false()) return {whole.bits.front() & ~whole.undefined};
@@ -53,7 +53,7 @@ std::vector<Bdd> conjuncts(const Exprs& exprs, BddTerms& terms, Id<Expr> conditi
     std::vector<Bdd> found;
     for (const Signed& conjunct : operands_of(exprs, {condition}, false)) {
         const std::vector<Signed> disjuncts = operands_of(exprs, conjunct, true);
-        std::vector<std::vector<Signed>> parts;  // operands of each disjunct
+        std::vector<std::vector<Signed>> parts;  // operands of each disjunct, as a conjunction
         for (const Signed& disjunct : disjuncts) parts.push_back(operands_of(exprs, disjunct, false));
         const auto longest = std::ranges::max_element(parts, {}, &std::vector<Signed>::size);
         Bdd others;
@@ -140,8 +140,8 @@ void StateSpace::add_next_bits(BddTerms& terms) {
     }
 }
 
-/// The steps of a cluster leave the bits of other clusters unchanged, but a free input may change in every step.
-/// Therefore, if there are free inputs, all steps form one cluster.
+/// If the system has free inputs, all steps form one cluster. Reason: the steps of a cluster must leave all other bits
+/// unchanged, but a free input may change in every step.
 std::deque<bdd::ClusterSteps> StateSpace::steps_where(const Bdd& condition,
                                                       const std::vector<std::uint32_t>& kept) const {
     EventCluster all{offered_, next_bits_};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// StateSpace: a FlatSystem over the variables of a BddSpace. A state of the space is an assignment to the variables;
-// the steps are a relation between assignments.
+// StateSpace: represents the states and steps of a FlatSystem by binary decision diagrams. A state is an assignment to
+// the variables of a BddSpace; the steps are a relation between assignments.
 //
 // Each bit of a state variable with a next value has two variables: one for the bit before a step and one for the bit
 // after the step. Free variables and choices have one variable, since the value of a free variable after a step is
@@ -24,11 +24,12 @@ using State = std::vector<bool>;
 
 class StateSpace {
 public:
-    /// Builds the model. If `by_kind` is true, the steps are partitioned by the values of those choices that determine
-    /// which bits change.
+    /// Builds the model. If `by_kind` is true, the steps are partitioned into clusters by the values of those choices
+    /// that determine which bits change.
     StateSpace(const FlatSystem& flat, BddSpace& space, bool by_kind);
 
-    // In this class, a set of states is a function of the bits of a state. The function implies the invariants.
+    // In this class, a set of states is a Boolean function of the bits of a state. Each such function implies the
+    // invariants of the system.
     const Bdd& initial() const { return initial_; }
     const Bdd& invariant() const { return invariant_; }
     /// Returns the successors of `states` by one step.
@@ -42,11 +43,11 @@ public:
     /// Returns the predecessors of `states` by one step.
     Bdd preimage(const Bdd& states) const { return preimage(states, steps_); }
     Bdd preimage(const Bdd& states, const std::deque<bdd::ClusterSteps>& steps) const;
-    /// Returns states that some step leaves unchanged. The result may be incomplete: it contains only states with a
-    /// step of a cluster that cannot change any bit.
+    /// Returns states that some step leaves unchanged. The result may be incomplete: it considers only clusters whose
+    /// steps cannot change any bit.
     Bdd still() const;
-    /// Returns the steps that satisfy `condition`, a function of states and choices. Images and preimages by these
-    /// steps do not quantify the bits `kept`, which are bits of choices.
+    /// Returns the steps that satisfy `condition`, a function of states and choices. The bits `kept`, which are bits of
+    /// choices, remain in the images and preimages by these steps; the bits of all other choices are eliminated.
     std::deque<bdd::ClusterSteps> steps_where(const Bdd& condition, const std::vector<std::uint32_t>& kept = {}) const;
 
     /// Returns a translator of terms over the variables of the system to functions of the bits of a state.
@@ -60,14 +61,14 @@ public:
     std::optional<Leak> leak(const Bdd& states) const;
 
     /// Returns a state of `states`, which must not be empty. The bits of the result are chosen in the order of the
-    /// variables. A bit has the same value as in `near` if a state of `states` has this value and the bits chosen
-    /// before.
+    /// variables. A bit gets its value in `near` if some state of `states` has this value and agrees with all bits
+    /// chosen before.
     State pick(const Bdd& states, const State& near) const;
     Bdd only(const State& state) const;
     /// Returns the state in which the variables have the values `values`.
     State state_of(const std::vector<std::int64_t>& values) const;
-    /// Returns the values of all variables. If `next` is given, the choices have values for which a step from `state`
-    /// to `next` satisfies `condition`.
+    /// Returns the values of all variables. If `next` is not null, the choices have values for which a step from
+    /// `state` to `next` satisfies `condition`.
     std::vector<std::int64_t> values(const State& state, const State* next, const Bdd& condition) const;
 
     /// Returns the variables that represent bits of a state, in increasing order.
@@ -90,7 +91,7 @@ private:
     std::vector<Bdd> offered_ = {};
     /// For each state variable: states and choices for which the next value is undefined or outside its range.
     std::vector<Leak> leaks_ = {};
-    Bdd choices_ = {}, free_ = {};  ///< sets of variables
+    Bdd choices_ = {}, free_ = {};  ///< sets of variables: the bits of choices and of free variables
     std::vector<bdd::NextBit> next_bits_ = {};
     std::deque<bdd::ClusterSteps> steps_ = {};  ///< steps of each cluster
 };

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Computes a variable order by quadratic placement on a line. Each variable and each term has a position on the line.
-// The sum of the squared distances between an operator and its operands, and between a variable and its next value, is
-// minimized (Hall 1970: "An r-dimensional quadratic placement algorithm"; Fiedler 1973). The weight of an operator
-// decreases with its number of operands, so that a wide disjunction does not force all its variables into one block.
-// Terms have separate positions, so that the variables of a large term need not be adjacent.
+// The placement minimizes the sum of the squared distances between an operator and its operands, and between a variable
+// and the term of its next value (Hall 1970: "An r-dimensional quadratic placement algorithm"; Fiedler 1973). The
+// weight of an operator decreases with its number of operands, so that a disjunction with many operands does not force
+// all its variables into one block. Because terms also have positions, the variables of a large term need not be
+// adjacent.
 //
-// The vector of all positions is the second eigenvector of the transition matrix of a random walk over the terms. The
-// eigenvector is computed by power iteration: starting with initial positions, each vertex is repeatedly moved to the
-// mean position of its neighbours, and the weighted mean of all positions is subtracted.
+// The vector of all positions is the second eigenvector of the transition matrix of a random walk over the terms. Power
+// iteration computes this eigenvector: beginning with initial positions, it repeatedly moves each vertex to the mean
+// position of its neighbours and subtracts the weighted mean of all positions.
 #include "check/symbolic/order.hpp"
 
 #include <algorithm>
@@ -91,8 +92,9 @@ private:
         for (const std::uint32_t vertex : ties_.back()) weights_[vertex] += weight(ties_.size() - 1);
     }
 
-    /// Returns the initial positions. The variables have the order of the system, and each term has the mean position
-    /// of its operands. In the table of terms, operands precede the terms that contain them.
+    /// Returns the initial positions. The variables are placed in the order in which the system declares them, and each
+    /// term is placed at the mean position of its operands. One pass suffices, because operands precede the terms that
+    /// contain them in the table of terms.
     std::vector<double> first_guess() const {
         std::vector<double> place(weights_.size());
         for (std::size_t vertex = 0; vertex < flat_.variables.size(); ++vertex)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Static variable order of a system for decision diagrams: variables that occur in the same terms are placed near each
-// other.
+// Computes a static variable order for decision diagrams: variables that occur in the same terms are close together in
+// the order.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace grafverif::symbolic {
 
-/// Returns all variables in their order, beginning with the topmost variable.
+/// Returns all variables of the system, ordered from the topmost to the lowest level of the decision diagrams.
 std::vector<Id<FlatSystem::Variable>> variable_order(const FlatSystem& flat);
 
 }  // namespace grafverif::symbolic

@@ -32,8 +32,9 @@ Bdd can_reach(const StateSpace& model, const Bdd& within, const Bdd& goal) {
 
 namespace {
 
-/// Computes can_stay without justice conditions: removes the states that have no successor in the set, and repeats the
-/// removal for the predecessors of removed states.
+/// Computes can_stay for the case without justice conditions: removes the states that have no successor in the set,
+/// until each remaining state has a successor in the set. Each iteration examines only the predecessors of the states
+/// that were removed last.
 Bdd can_stay(const StateSpace& model, const Bdd& within) {
     Bdd result = within & model.preimage(within);
     for (Bdd removed = within & ~result; !removed.is_false(); result &= ~removed) {
@@ -58,8 +59,8 @@ Bdd can_stay(const StateSpace& model, const Bdd& within, const std::vector<Bdd>&
 
 namespace {
 
-/// Returns the states of `within` that are reachable from `from` in `within`, as rings of equal distance, up to the
-/// first ring that intersects `goal`.
+/// Returns the states that are reachable from `from` through states of `within`, as rings (sets of states at the same
+/// distance). The last ring is the first ring that intersects `goal`.
 bdd::Rings rings_to(const StateSpace& model, const Bdd& from, const Bdd& within, const Bdd& goal) {
     bdd::Rings rings;
     rings.add(from & within);
@@ -74,10 +75,10 @@ void append(Path& path, const std::vector<State>& states) {
 }  // namespace
 
 Path stay(const StateSpace& model, const State& first, const Bdd& staying, const std::vector<Bdd>& justice) {
-    // Each iteration extends the path so that each justice condition holds in some state of the extension. If the path
-    // cannot be closed to a loop, its last state is in a later strongly connected component, in which the next
-    // iteration starts. There are finitely many components, so that the iteration terminates. Without justice
-    // conditions, the path may end in a state that a step leaves unchanged.
+    // Each iteration extends the path so that each justice condition holds in some state of the extension. If no path
+    // leads from the last state back to the beginning of the extension, the last state is in a later strongly connected
+    // component. In this case, the next iteration begins in the last state. The iteration terminates because there are
+    // finitely many components. Without justice conditions, the path may end in a state that a step leaves unchanged.
     Path path{{first}, {}};
     const Bdd still = justice.empty() ? staying & model.still() : Bdd();
     for (;;) {

@@ -41,7 +41,7 @@ void PropertyQueries::add_query(Id<Property> about) {
     PropertyQuery question{about, {}};
     for (const Id<Expr> operand : property.operands) question.operands.push_back(flattened(system_, flat_, operand));
     Exprs& exprs = flat_.exprs;
-    // A property of every state is decided by a search for a state that violates the property.
+    // The operand of a property about all states is negated: the check searches for a state that violates the property.
     if (property.pattern == Pattern::ExactlyOneOf) question.operands = {exprs.negation(exactly_one(question.operands))};
     if (property.pattern == Pattern::Always) question.operands = {exprs.negation(question.operands.front())};
     for (Id<Expr>& operand : question.operands) operand = settled_and(property, operand);
@@ -52,7 +52,8 @@ std::vector<QueryResult> PropertyQueries::answers(const StateSpace* model, Reach
                                                   const SymbolicOptions& options) {
     std::vector<QueryResult> all;
     UnknownReason obstacle =
-        model == nullptr ? search.obstacle : UnknownReason::None;  // this obstacle applies to all following queries
+        model == nullptr ? search.obstacle : UnknownReason::None;  // if not None, this obstacle applies to all
+                                                                   // following queries
     std::string reason = search.reason;
     for (const PropertyQuery& question : questions_) {
         QueryResult found{verdict_on(question.about, of(question)), {}};
@@ -74,8 +75,8 @@ std::vector<QueryResult> PropertyQueries::answers(const StateSpace* model, Reach
         }
         all.push_back(std::move(found));
     }
-    // Explanations are computed after all verdicts, because they may need time or memory that is necessary for another
-    // verdict.
+    // Explanations are computed after all verdicts, because an explanation may need time or memory that a verdict also
+    // needs.
     for (QueryResult& found : all) {
         if (!found.dead_state) continue;
         std::string words = what_is_dead(*model, search, *found.dead_state);
@@ -163,7 +164,8 @@ void PropertyQueries::decide_paths(QueryResult& found, const PropertyQuery& ques
     found.run = run_of(model, lasso(model, search, from, staying));
 }
 
-/// Returns the note on dead transitions, or an empty string if its computation reaches the limit of memory or time.
+/// Returns the note on dead transitions, which are never cleared again after `from`. Returns an empty string if the
+/// computation of the note reaches the limit of memory or time.
 std::string PropertyQueries::what_is_dead(const StateSpace& model, const ReachableSet& search, const State& from) {
     try {
         return dead_transitions_note(system_, flat_, model, search.reached, from);

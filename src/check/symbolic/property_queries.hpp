@@ -12,10 +12,10 @@ namespace grafverif::symbolic {
 
 /// Result of a search of the reachable states.
 struct ReachableSet {
-    /// Rings around the initial states (sets of states at the same distance) that were computed so far.
+    /// The rings that are computed so far. A ring is a set of states at the same distance from the initial states.
     bdd::Rings rings = {};
     Bdd reached = {};
-    bool witnesses = true;  ///< true: find a run for each `reachable` that holds
+    bool witnesses = true;  ///< if true, a run is computed for each `reachable` property that holds
     /// Reason why the search ended early; None if all reachable states were found.
     UnknownReason obstacle = UnknownReason::None;
     std::string reason = {};
@@ -25,7 +25,7 @@ struct ReachableSet {
 /// Computes further rings if necessary.
 std::vector<State> shortest_trace(const StateSpace& model, ReachableSet& search, const Bdd& goal);
 
-/// One verdict and the run that shows it.
+/// One verdict and the run that demonstrates it.
 struct QueryResult {
     Verdict verdict = {};
     std::optional<FlatRun> run = {};
@@ -37,10 +37,11 @@ class PropertyQueries {
 public:
     PropertyQueries(const TransitionSystem& system, FlatSystem& flat);
 
-    /// Translates a property. All calls of add_query must precede `answers`, because add_query adds terms to `flat`.
+    /// Adds a query for a property. All calls of add_query must precede `answers`, because add_query adds terms to the
+    /// flat system.
     void add_query(Id<Property> property);
     /// Returns the verdicts, in the order of the calls of add_query(). `model` is null if the check ended before the
-    /// model was built; then all verdicts are unknown.
+    /// model was built; in this case, all verdicts are unknown.
     std::vector<QueryResult> answers(const StateSpace* model, ReachableSet& search, const SymbolicOptions& options);
 
 private:

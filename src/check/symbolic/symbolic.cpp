@@ -67,16 +67,16 @@ void Check::note(const BddExhausted& exhausted) {
 void Check::count_states() {
     try {
         result_.states = count(search_.reached, model_->state_bits());
-    } catch (const BddExhausted&) {  // the number of states remains unknown
+    } catch (const BddExhausted&) {  // the memory limit is reached: the number of states remains unknown
     }
 }
 
 void Check::search() {
     const StateSpace& model = *model_;
     const std::uint64_t enough = space_.work() + options_.one_by_one;
-    // A step that assigns a value outside the range of a variable does not lead to a state, and the search ends at such
-    // a step. Therefore each ring (the states found at one depth) is checked for such steps before the successors of
-    // the ring are used.
+    // A step that assigns a variable a value outside its range does not lead to a state, and the search ends at such a
+    // step. Therefore, before the successors of a ring (the states at one depth) are used, the ring is checked for such
+    // steps.
     bool leaks = false;
     const auto keep_going = [&](bool kinds) {
         return [&, kinds](std::size_t depth) {
@@ -92,8 +92,8 @@ void Check::search() {
     search_.rings.add(model.initial());
     if (grow(model, search_.rings, model.invariant(), {}, keep_going(model.has_clusters())) && !leaks) {
         const Bdd closure = model.closure(search_.reached);
-        // The closure may contain assignments that violate a range or an invariant, and their successors, although no
-        // run leads to these successors. Such a closure is not used.
+        // The closure may contain assignments that violate a range or an invariant, and successors of these
+        // assignments, to which no run leads. In this case, the closure is not used.
         if ((closure & ~model.invariant()).is_false() && !model.leak(closure)) search_.reached = closure;
         else grow(model, search_.rings, model.invariant(), {}, keep_going(false));
     }
@@ -109,8 +109,8 @@ std::optional<SystemFault> Check::fault() {
     };
     if (const auto some = model.leak(search_.reached)) {
         (void)shortest_trace(model, search_, some->states);
-        // The nearest step with a value outside its range is reported, because states after such a step do not belong
-        // to a run.
+        // Reports the step with a value outside its range that has the smallest distance from the initial states,
+        // because states after such a step do not belong to a run.
         for (const Bdd& ring : search_.rings.each)
             if (const auto leak = model.leak(ring))
                 return SystemFault{OutOfRange, flat_.variables[leak->variable].name, path_to(leak->states)};

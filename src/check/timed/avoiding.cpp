@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Counterexamples of liveness properties: short runs from power-on to a root, continued outside of the set `met` up to
-// a cycle or up to a state without successors.
+// Computes counterexamples of liveness properties. A counterexample is a short run from the initial state to a state of
+// `roots`; from there on, the run stays outside of the set `met`, up to a cycle or up to a state without successors.
 //
-// A breadth-first traversal outside of `met` determines, for every reached state, a near root and a short path from
-// this root. A root is added to the traversal at its depth in the search. Then the strongly connected components of the
-// reached states are computed. The run ends at the first state of the traversal that is on a cycle or has no successor.
-// If the state is on a cycle, a breadth-first search in its component finds a shortest cycle.
+// A breadth-first traversal outside of `met` determines, for every reached state, a short path from one of the roots. A
+// root is added to the traversal at its depth in the search. Then the strongly connected components of the reached
+// states are computed. The run ends at the first state of the traversal that is on a cycle or has no successor. If this
+// state is on a cycle, a breadth-first search in its component finds a shortest cycle.
 #include "check/timed/components.hpp"
 #include "check/timed/fixpoints.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Compiles terms to code (see program.hpp). In a conjunction, operands that test bits are evaluated first, with one
-// test for all bits of a word. If an operand may be undefined, the order of the operands is relevant and is not
-// changed.
+// Compiles terms to code (see program.hpp). The code of a conjunction first evaluates the operands that test bits, with
+// one test for all bits of a word. If an operand may be undefined, the order of the operands is relevant, and the code
+// keeps this order.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -15,7 +15,8 @@ namespace grafverif::timed {
 namespace {
 
 constexpr std::uint32_t largest_tree = 4096;  // maximum number of nodes of a tree; larger terms are compiled by `eager`
-constexpr double largest_value = 4.0e18;      // a term that may have a greater absolute value may overflow
+constexpr double largest_value = 4.0e18;      // a term whose absolute value may be greater is treated as a term that
+                                              // may overflow
 
 Id<Network::Variable> variable_of(const Expr& node) { return {static_cast<std::uint32_t>(node.value)}; }
 
@@ -166,7 +167,8 @@ void Compiler::choose(const InputChoice& choice, std::size_t number) {
     }
 }
 
-/// Generates a test that the value of a chosen variable is in low..high.
+/// Generates a test that a chosen variable has a value in low..high. A chosen variable is an output of an instance
+/// whose outputs the abstraction chooses arbitrarily (InputChoice).
 std::uint32_t Compiler::chosen_within(Id<Network::Variable> variable, std::int64_t low, std::int64_t high,
                                       std::uint32_t yes, std::uint32_t no) {
     const Chosen& chosen = chosen_.at(variable.index);
@@ -181,7 +183,7 @@ std::uint32_t Compiler::load(Id<Network::Variable> variable, std::uint32_t to, s
     if (is_chosen(variable)) {
         const std::set<std::int64_t> values(chosen_.at(variable.index).values.begin(),
                                             chosen_.at(variable.index).values.end());
-        std::uint32_t start = Program::no;  // code for the case that no further value is possible
+        std::uint32_t start = Program::no;  // code for the case that none of the remaining values is possible
         for (const std::int64_t value : values) {
             const std::uint32_t constant =
                 emit({.value = static_cast<Word>(value), .yes = next, .to = to, .op = Opcode::Constant});
@@ -260,7 +262,7 @@ std::uint32_t Compiler::boolean(Id<Expr> term, std::uint32_t yes, std::uint32_t 
     case Op::LessEqual:
     case Op::Greater:
     case Op::GreaterEqual: return comparison(term, yes, no, base);
-    case Op::Variable:  // a chosen variable, or a variable whose type is not Type{}
+    case Op::Variable:  // a Boolean variable, whose value may be chosen (InputChoice)
         if (is_chosen(variable_of(node))) return chosen_within(variable_of(node), 1, 1, yes, no);
         return emit({.mask = layout_.variables[variable_of(node).index].mask(),
                      .yes = no,
@@ -285,9 +287,9 @@ std::uint32_t Compiler::boolean(Id<Expr> term, std::uint32_t yes, std::uint32_t 
     unreachable();
 }
 
-/// Compiles an And or Or. An Or is compiled as the And of the negated operands, with exchanged successors. A negated
-/// operand is compiled with exchanged successors; if the operand tests a single bit, the required value of the bit is
-/// inverted instead.
+/// Compiles an And or Or. An Or is compiled as an And of the negated operands in which the successors `yes` and `no`
+/// are exchanged. A negated operand is also compiled with exchanged successors; if the operand tests a single bit, the
+/// required value of the bit is inverted instead.
 std::uint32_t Compiler::junction(Id<Expr> term, std::uint32_t yes, std::uint32_t no, std::uint32_t base) {
     const auto operands = network_.exprs.operands(term);
     const bool conjunction = network_.exprs[term].op == Op::And;

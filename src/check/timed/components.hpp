@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Strongly connected components of a graph of states (Tarjan 1972, without recursion), and cycles within components.
+// Computes the strongly connected components of a graph of states (algorithm of Tarjan 1972, without recursion), and
+// cycles within components.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +15,8 @@
 
 namespace grafverif::timed {
 
-/// Computes the components of all states that are reachable from the states that are passed to `visit`. `each(state,
-/// take)` calls `take` for every successor of `state`.
+/// Computes the components of all states that are reachable from the states that are passed to `visit`. The function
+/// `each(state, take)` must call `take` for every successor of `state`.
 template <class Each>
 class Components {
 public:

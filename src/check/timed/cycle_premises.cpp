@@ -29,7 +29,8 @@ CyclePremises::CyclePremises(const Network& network, const Network::Controller& 
         seen_by_observers_.insert(read.begin(), read.end());
         of_observers_.insert(written.begin(), written.end());
     }
-    // Each move requests that observers read the state. Reading equal states again does not change an observer.
+    // The variables that observers write do not count: each move writes such a variable, to request that observers read
+    // the state, and reading equal states again does not change an observer.
     for (const Id<Network::Variable> variable : of_observers_) {
         used_.erase(variable);
         written_.erase(variable);
@@ -113,7 +114,7 @@ std::vector<Independence> CyclePremises::independence() const {
     std::vector<Independence> result;
     for (const Network::Edge& edge : plc_.edges) {
         Independence made{std::vector<bool>(count), std::vector<bool>(count), {}};
-        // The loop is not quiescent while the PLC is not in W or not stable.
+        // The loop can be quiescent only while the PLC is in its waiting location W and stable.
         const bool settles =
             edge.to == controller_.waiting && !has_conjunct(network_.exprs, edge.guard, controller_.stable, true);
         const Uses plc = uses_of(edge);
@@ -133,7 +134,8 @@ std::vector<Independence> CyclePremises::independence() const {
 }
 
 std::vector<Id<Network::Variable>> CyclePremises::dead_outputs() const {
-    // Before the first cycle, all outputs have their initial values.
+    // True if each cycle that ends in a stable situation writes the outputs. Edges before the first cycle need not
+    // write the outputs, because all outputs still have their initial values.
     const bool writes = std::ranges::all_of(plc_.edges, [&](const Network::Edge& edge) {
         return edge.to != controller_.waiting || !is_entered(edge.from) ||
                has_conjunct(network_.exprs, edge.guard, controller_.stable, true) || has_call(edge, controller_.write);
@@ -148,7 +150,7 @@ std::vector<Id<Network::Variable>> CyclePremises::dead_outputs() const {
     return dead;
 }
 
-/// False for the location before the first evolution.
+/// True if an edge leads to the location. False for the location before the first evolution.
 bool CyclePremises::is_entered(Id<Network::Location> location) const {
     return std::ranges::find(plc_.edges, location, &Network::Edge::to) != plc_.edges.end();
 }
@@ -160,13 +162,14 @@ bool CyclePremises::reads(Id<Expr> term, const Variables& variables) const {
     });
 }
 
-/// True if the sets share a variable that no observer writes.
+/// True if the two sets have a common variable that no observer writes.
 bool CyclePremises::meet(const Variables& left, const Variables& right) const {
     return std::ranges::any_of(
         left, [&](auto variable) { return right.contains(variable) && !of_observers_.contains(variable); });
 }
 
-/// Removes processes that write a variable which a process that is not contained reads.
+/// Removes processes from the set `processes` until no process of the set writes a variable that a process outside of
+/// the set reads.
 std::vector<bool> CyclePremises::closed(std::vector<bool> processes) const {
     for (bool shrinks = true; std::exchange(shrinks, false);)
         for (std::size_t i = 0; i < processes.size(); ++i)
@@ -178,8 +181,7 @@ std::vector<bool> CyclePremises::closed(std::vector<bool> processes) const {
     return processes;
 }
 
-/// Returns the variables that a process, the condition of quiescence, or a property that is not only evaluated in
-/// quiescent states reads.
+/// Returns all variables that processes, the condition of quiescence, or properties without `at stable` read.
 CyclePremises::Variables CyclePremises::variables_read() const {
     Variables read = read_by_properties();
     for (const Id<Network::Process> id : network_.processes.ids())
@@ -188,7 +190,8 @@ CyclePremises::Variables CyclePremises::variables_read() const {
     return read;
 }
 
-/// Returns the variables that properties read, except for properties that are only evaluated in quiescent states.
+/// Returns the variables that properties without `at stable` read. (A property with `at stable` is evaluated only in
+/// quiescent states.)
 CyclePremises::Variables CyclePremises::read_by_properties() const {
     Variables read;
     for (const Property& property : network_.properties)
@@ -201,7 +204,7 @@ void CyclePremises::take(Id<Expr> term, Variables& variables) const {
     each_variable(network_.exprs, term, [&](Id<Network::Variable> variable) { variables.insert(variable); });
 }
 
-/// True if a property that is not only evaluated in quiescent states reads the location of the PLC.
+/// True if a property without `at stable` reads the location of the PLC.
 bool CyclePremises::is_location_observed() const {
     return std::ranges::any_of(network_.properties, [&](const Property& property) {
         return !property.at_stable && std::ranges::any_of(property.operands, [&](Id<Expr> term) {
@@ -213,14 +216,15 @@ bool CyclePremises::is_location_observed() const {
     });
 }
 
-/// True if an observer reads a flag of the PLC: the condition of quiescence contains these flags.
+/// True if an observer reads a flag of the PLC and therefore depends on whether the loop is quiescent. The condition of
+/// quiescence consists of these flags.
 bool CyclePremises::is_quiescence_observed() const {
     Variables flags = requests();
     flags.insert(controller_.stable);
     return meet(flags, seen_by_observers_);
 }
 
-/// Returns the flags that request a cycle: EVOL_PL and EVOL_TI.
+/// Returns the flags EVOL_PL and EVOL_TI, by which the plant and the timers request a cycle of the PLC.
 CyclePremises::Variables CyclePremises::requests() const {
     Variables flags;
     for (const Network::Edge& edge : plc_.edges)
@@ -233,7 +237,8 @@ CyclePremises::Variables CyclePremises::requests() const {
     return flags;
 }
 
-/// Returns the variables that an edge of the PLC reads and writes, and those that the guards in its location read.
+/// Returns the variables that an edge of the PLC reads and writes. The result also contains the variables that the
+/// guards of other edges with the same source location read.
 CyclePremises::Uses CyclePremises::uses_of(const Network::Edge& edge) const {
     Uses uses;
     for (const Network::Edge& other : plc_.edges)
@@ -245,8 +250,8 @@ CyclePremises::Uses CyclePremises::uses_of(const Network::Edge& edge) const {
     return uses;
 }
 
-/// True if some variable, the request, enables all urgent edges of the timer, and disables its other edges and the
-/// edges by which the PLC leaves W.
+/// True if a request variable of the timer exists: the variable enables all urgent edges of the timer, and disables the
+/// other edges of the timer and the edges by which the PLC leaves its waiting location W.
 bool CyclePremises::waits_for(const Network::Template& timer) const {
     const auto has = [&](const Network::Edge& edge, Id<Network::Variable> variable, bool negated) {
         return has_conjunct(network_.exprs, edge.guard, variable, negated);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The static premises of macro-steps (macro_steps.hpp) for one PLC and its timers.
+// CyclePremises: checks the static premises of macro-steps (macro_steps.hpp) for one PLC and its timers.
 #pragma once
 
 #include <set>
@@ -13,14 +13,15 @@ namespace grafverif::timed {
 /// True if the process is an observer (compose/observe.hpp).
 bool is_observer(const Network& network, Id<Network::Process> id);
 
-/// Processes that may as well move after an edge of a PLC instead of before it. The vectors have one element per process.
+/// For one edge of a PLC: the processes whose moves may be postponed until after this edge. The two vectors have one
+/// element per process.
 struct Independence {
-    /// True if the edges of the process and of the PLC are independent, and the process cannot enable or disable another
-    /// edge of the PLC. The edge of the PLC changes nothing that an observer or a property reads. The process enables no
-    /// edge of another process for which the element is false.
+    /// True if four conditions hold. The edges of the process are independent of the edge of the PLC. The process
+    /// cannot enable or disable another edge of the PLC. The edge of the PLC does not change a variable that an
+    /// observer or a property reads. The process writes no variable that a process with the element false reads.
     std::vector<bool> always = {};
-    /// The same for an execution of the edge that does not change the values of `shared`. Such an execution may end a
-    /// cycle in a stable situation, unless an observer reads whether the loop is quiescent.
+    /// As `always`, but only for executions of the edge that do not change the values of the variables `shared`. The
+    /// execution may end a cycle in a stable situation, unless an observer reads whether the loop is quiescent.
     std::vector<bool> if_unchanged = {};
     /// Variables that the edge writes and that another process, an observer or a property reads.
     std::vector<Id<Network::Variable>> shared = {};
@@ -31,29 +32,32 @@ public:
     /// Requires that `network` is expanded. The arguments must outlive the object.
     CyclePremises(const Network& network, const Network::Controller& controller);
 
-    /// Returns the timers for which the PLC waits in W until they have accepted its request.
+    /// Returns the timers that accept a request of the PLC before the PLC can leave its waiting location W.
     const std::vector<Id<Network::Process>>& accepting_timers() const { return accepting_; }
 
     /// True if a property reads the location of a timer or a variable that the timers write. Also true if a process
-    /// except the PLC and its timers uses such a variable.
+    /// other than the PLC and its timers uses a variable that the timers write.
     bool timers_are_observed() const;
 
-    /// Returns, per location of the PLC, whether each infinite path from the location passes location W. False for W.
+    /// Returns one element per location of the PLC. The element is true if each infinite path from the location passes
+    /// through the waiting location W. The element of W is false.
     std::vector<bool> locations_in_cycle() const;
 
-    /// Returns, per location of the PLC, whether its edges neither read a variable that the timers write, nor write a
-    /// variable that the timers read or write.
+    /// Returns one element per location of the PLC. The element is true if the edges of the location read no variable
+    /// that the timers write, and write no variable that the timers use.
     std::vector<bool> independent_locations() const;
 
-    /// Returns, per location of the PLC, whether edges lead to it, all of them from W, and these edges change only flags
-    /// that request a cycle. Always false if an observer or a property reads these flags or the location of the PLC. Then no
-    /// process except the PLC can distinguish the location from W.
+    /// Returns one element per location of the PLC. The element is true if only edges from the waiting location W lead
+    /// to the location, and these edges change only flags that request a cycle. All elements are false if an observer
+    /// or a property reads these flags or the location of the PLC. If an element is true, no process except the PLC can
+    /// distinguish the location from W.
     std::vector<bool> locations_like_waiting() const;
 
-    /// Returns one element per edge of the PLC.
+    /// Returns the independent processes for each edge of the PLC.
     std::vector<Independence> independence() const;
 
-    /// Returns the outputs that no edge and no property reads while the PLC is within a cycle or not stable.
+    /// Returns the outputs of the PLC that are dead while the PLC is within a cycle or not stable: no edge and no
+    /// property reads them.
     std::vector<Id<Network::Variable>> dead_outputs() const;
 
 private:
@@ -79,8 +83,9 @@ private:
     const Network::Controller& controller_;
     const Network::Template& plc_;
     std::vector<Id<Network::Process>> accepting_ = {};
-    Variables used_ = {}, written_ = {};  // variables of the timers
-    std::vector<Uses> uses_ = {};         // per process, except for observers and the PLC
+    Variables used_ = {}, written_ = {};  // variables that the timers use, and variables that they write
+    std::vector<Uses> uses_ = {};         // variables that each process reads and writes; empty for observers and the
+                                          // PLC
     std::vector<bool> is_other_ = {};     // per process: true except for observers and the PLC
     Variables of_observers_ = {};         // variables that observers write
     Variables seen_by_observers_ = {};    // variables that observers read

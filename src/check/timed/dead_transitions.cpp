@@ -30,8 +30,8 @@ States reachable_from(Graph& graph, std::uint32_t from, const Limits& limits) {
     return found;
 }
 
-/// Returns the term that the cycle of the controller evaluates for the transition, or an invalid id if there is no such
-/// term.
+/// Returns the firing condition that the cycle of the controller evaluates for the transition, or an invalid id if the
+/// cycle does not evaluate one.
 Id<Expr> condition_of(const Network& network, const Network::Controller& controller, const Named& transition) {
     const Network::Template& automaton = network.templates[network.processes[controller.process].automaton];
     for (const Network::Assignment& assignment : automaton.procedures[controller.fire].assignments)
@@ -60,7 +60,7 @@ std::string literal_text(const Network& network, Id<Expr> term) {
 }
 
 /// Returns the text of the first conjunct of the condition that has a text (see literal_text) and is false in all of
-/// `states`. The result is empty if there is no such conjunct.
+/// `states`. The result is empty if no conjunct has these properties.
 std::string false_part(Graph& graph, Id<Expr> condition, const States& states) {
     const Network& network = graph.machine.network();
     if (!condition.valid()) return {};
@@ -77,7 +77,7 @@ std::string false_part(Graph& graph, Id<Expr> condition, const States& states) {
     return {};
 }
 
-/// True if the edge executes an evolution of the controller.
+/// True if the edge executes an evolution of the controller: it calls the procedure that clears transitions.
 bool fires(const Network& network, const Network::Controller& controller, const Machine& machine, std::uint32_t edge) {
     if (machine.process_of(edge) != controller.process) return false;
     const Network::Template& automaton = network.templates[network.processes[controller.process].automaton];
@@ -85,10 +85,10 @@ bool fires(const Network& network, const Network::Controller& controller, const 
     return std::ranges::find(calls, controller.fire) != calls.end();
 }
 
-/// Determines, for each transition of each controller, if an evolution from one of `states` clears the transition. If
-/// an evolution consists of several edges, the firing condition is a variable of the state before the situation
-/// changes. If an evolution is one edge, the firing condition is a scratch variable, which is set only while the edge
-/// is executed.
+/// Determines for each transition of each controller whether an evolution from one of `states` clears the transition.
+/// If an evolution consists of several edges, a variable contains the value of the firing condition in the states
+/// between these edges. If an evolution is a single edge, a scratch variable contains this value; it is set only while
+/// the edge is executed.
 std::vector<std::vector<bool>> cleared(Graph& graph, const States& states, const Limits& limits) {
     const Network& network = graph.machine.network();
     const Layout& layout = graph.machine.layout();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compiles large terms with shared subterms to code without branches. Each subterm has one register. Operands are
-// evaluated before the terms that contain them.
+// Compiles large terms with shared subterms to code without branches. The value of each subterm is stored in one
+// register. The code evaluates operands before the terms that contain them.
 #include <algorithm>
 #include <unordered_map>
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Breadth-first search by the number of moves. A delay of any length counts as one move, because two consecutive delays
-// are one move. Therefore, if time can pass in a state, time is advanced immediately, unit by unit. The delay ends in a
-// state in which time cannot pass, or whose further delay is already known. If the delay begins in a state at depth d,
-// all later states of the delay have depth d + 1 or less. If an edge has already reached one of these states at depth
-// d + 1, the predecessor in time becomes the parent of this state. The shortest runs to the later states of the delay
-// then lead through this state.
+// Breadth-first search by the number of moves. A delay of any length counts as one move, so two consecutive delays are
+// also one move. Therefore, if time can pass in a state, the search advances time immediately, unit by unit. The delay
+// ends in a state in which time cannot pass, or whose further delay is already known. If the delay begins in a state at
+// depth d, all later states of the delay have depth d + 1 or less. If an edge has already reached one of these states
+// at depth d + 1, the predecessor by delay becomes the parent of this state. The shortest runs to the following states
+// of the delay then pass through this state.
 //
 // The queue is processed block by block. First, all threads compute the moves of the states of a block, without
-// changing the graph. States that the store does not contain are grouped by hash. Then one thread assigns numbers to
-// the new states in the order of the block, which is the order of a sequential search. Finally all threads index the
-// new states and store the targets of the edges of the block. Therefore numbers, and all results derived from them, do
-// not depend on the number of threads or the size of blocks.
+// changing the graph. States that the store does not contain are grouped by their hash values. Then one thread assigns
+// numbers to the new states in the order of the block, which is the order of a sequential search. Finally, all threads
+// insert the new states into the index and store the targets of the edges of the block. Therefore numbers, and all
+// results derived from them, do not depend on the number of threads or the size of blocks.
 #include "check/timed/explore.hpp"
 
 #include <algorithm>
@@ -35,8 +35,8 @@ bool Limits::stopped() const {
 
 UnknownReason Limits::stop_reason(const Graph& graph, std::uint32_t state, std::size_t more) {
     if (stopped()) return UnknownReason::Stopped;
-    // The evaluation of properties requires additional memory. If links are kept, the index is freed before the
-    // evaluation.
+    // The evaluation of properties requires additional memory. If the graph keeps its links, the index of the store is
+    // freed before the evaluation.
     const std::size_t freed = graph.linked ? graph.store.index_bytes() : 0;
     const std::size_t bytes = graph.bytes() + more + std::max(16 * graph.states(), freed) - freed;
     if (allowed_used_ = bytes > options_.max_memory; allowed_used_) return UnknownReason::Memory;
@@ -56,12 +56,14 @@ void Limits::explain(Graph& graph) {
 
 namespace {
 
-constexpr std::uint32_t slices_each = 64;      // number of slices for each thread in a block
-constexpr std::size_t many_text = 1U << 21U;   // number of words of computed successors at which a block ends
-constexpr std::size_t kept_bytes = 1U << 21U;  // maximum memory that a slice keeps for reuse
+constexpr std::uint32_t slices_each = 64;      // number of slices (groups of consecutive states) for each thread in a
+                                               // block
+constexpr std::size_t many_text = 1U << 21U;   // a block ends when the computed successors have this number of words
+constexpr std::size_t kept_bytes = 1U << 21U;  // maximum memory, in bytes, that a slice keeps for reuse
 // Minimum amount of work, in slices of states or new states, that is performed in parallel.
 constexpr std::size_t worth_sharing = 16;
-constexpr std::size_t link_bytes = 24;  // maximum number of bytes of links per state; above it, links are dropped
+constexpr std::size_t link_bytes = 24;  // maximum number of bytes of links per state; links are dropped if they need
+                                        // more
 constexpr std::size_t link_grace = 1U << 18U;  // up to this total number of bytes, links are never dropped
 
 class Exploration {
@@ -86,7 +88,8 @@ public:
     }
 
 private:
-    /// Calls `work(member)` once for each thread: in parallel, or sequentially if `size` is small.
+    /// Calls `work(member)` once for each thread of the team. The calls run in parallel, or sequentially if the amount
+    /// of work `size` is small.
     void share(std::size_t size, const std::function<void(unsigned)>& work) {
         if (size >= worth_sharing * limits_.slice() && team_.size() > 1) return team_.share(work);
         for (unsigned member = 0; member < team_.size(); ++member) work(member);
@@ -120,8 +123,8 @@ private:
         return obstacle;
     }
 
-    /// Fills slices with the moves of the next states. Returns the number of filled slices, up to and including the
-    /// first slice that does not contain the moves of all its states. Later slices must not be used.
+    /// Fills slices with the moves of the next states. Returns the number of usable slices: all slices up to and
+    /// including the first slice that does not contain the moves of all its states. Later slices must not be used.
     std::size_t compute() {
         const std::size_t most = std::size_t{slices_each} * team_.size();
         const std::size_t states = graph_.states() - graph_.explored;
@@ -171,7 +174,8 @@ private:
         });
     }
 
-    /// Adds to `new_states_` those new states of a slice that belong to a shard of `part`, in the order of the slice.
+    /// Adds to `new_states_` those new states of a slice that belong to part `part` of the hash table, in the order of
+    /// the slice.
     void meet(SuccessorBatch& slice, unsigned part) {
         for (SuccessorBatch::NewState& new_state : slice.new_states) {
             if (new_states_.part_of(new_state.shard) != part) continue;
@@ -181,7 +185,8 @@ private:
         }
     }
 
-    /// Returns a new state in packed form. Requires that `kept` contains its index.
+    /// Returns new state number `new_state` of the slice in packed form. Requires that SuccessorBatch::kept contains
+    /// this number.
     const Word* words_of(const SuccessorBatch& slice, std::uint32_t new_state) const {
         const auto at = std::ranges::lower_bound(slice.kept, new_state) - slice.kept.begin();
         return slice.words.data() + static_cast<std::size_t>(at) * graph_.machine.layout().words;
@@ -210,15 +215,16 @@ private:
         for (std::uint32_t i = at.first; i != at.first + at.edges; ++i) {
             const std::uint32_t target = slice.targets[i];
             if ((target & SuccessorBatch::new_state) == 0) continue;
-            // The first of several equal new states sets the number for all of them. If another state simulates the new
-            // states, they have no number; therefore, if the graph is covered, each of them is resolved.
+            // If several new states of a block are equal, the first of them sets the number for all. In a covered
+            // graph, a new state has no number if another state simulates it; therefore each of the equal states is
+            // resolved.
             if (graph_.covered || slice.new_states[target & SuccessorBatch::number].first)
                 resolve(slice, target, state, By::Edge);
         }
         graph_.transitions += at.computed;
         const bool acts = at.edges != 0;
-        // If an urgent edge is enabled, or if time cannot pass, the function `lead` later stores the target of an edge,
-        // unless states may have been omitted.
+        // Here, the target of a state in which time cannot pass is the state itself. The function `lead` later replaces
+        // this target by the successor by an edge, unless the graph is covered (states may have been omitted).
         if (at.urgent) graph_.set_kind(state, StateKind::Urgent, state);
         else if (graph_.kind(state) == StateKind::Unknown) pass_time(state);
         if (acts && graph_.kind(state) == StateKind::Passes)
@@ -227,7 +233,7 @@ private:
         if (at.fault) graph_.set_kind(state, StateKind::Open, state);
     }
 
-    /// Indexes the new states, so that they can be found, and stores the targets of the edges of the expanded states.
+    /// Inserts the new states into the index of the store, and stores the targets of the edges of the expanded states.
     void store_links(std::size_t found) {
         next_slice_ = 0;
         share(std::max<std::size_t>(found, graph_.explored - slices_[0].begin), [&](unsigned member) {
@@ -245,13 +251,13 @@ private:
         }
     }
 
-    /// Stores the targets of the edges of a slice's expanded states, without allocating memory.
+    /// Stores the targets of the edges of the expanded states of a slice. Does not allocate memory.
     void lead(SuccessorBatch& slice) {
         for (std::uint32_t state = slice.begin; state < std::min(slice.end, graph_.explored); ++state) {
             const SuccessorBatch::State& at = slice.states[state - slice.begin];
             if (graph_.linked) slice.links.begin();
             std::uint32_t last = state;
-            // Greatest target of an edge: states with greater numbers tend to lead to later states.
+            // Greatest target of an edge. A state with a greater number usually leads to states with greater numbers.
             std::uint32_t onward = 0;
             std::uint32_t urgently = 0;  // greatest target of an urgent edge
             for (std::uint32_t i = at.first; i != at.first + at.edges; ++i) {
@@ -272,12 +278,12 @@ private:
         return (target & SuccessorBatch::new_state) == 0 ? number : new_states_.number(slice.new_states[number].entry);
     }
 
-    /// How the search has reached a state.
+    /// The kind of move by which the search has reached a state.
     enum class By : std::uint8_t { Edge, Delay };
 
-    /// Returns a state that simulates the new state in `words`, or Store::none if there is no such state. Two
-    /// consecutive delays are one move. Therefore, after a delay, the depth of the result is at most the current depth,
-    /// or the delay of the result is known. This restriction does not apply if the search ignores depths.
+    /// Returns a state that simulates the new state in `words`, or Store::none if no state is suitable. If a delay has
+    /// reached the new state, the result must have at most the current depth, or its delay must be known. Reason: two
+    /// consecutive delays count as one move. This restriction does not apply if the search ignores depths.
     std::uint32_t simulating(const Word* words, By by) {
         if (graph_.covering && !graph_.covering->is_useful()) graph_.covering.reset();
         if (!graph_.covering) return Store::none;
@@ -289,8 +295,8 @@ private:
         return state;
     }
 
-    /// Returns the number of a target, or of a state that simulates it. A new state that no other state simulates gets
-    /// the next number when the search first reaches it.
+    /// Returns the number of the state to which `target` refers, or of a state that simulates this state. A new state
+    /// that no other state simulates gets the next number when the search first reaches the new state.
     std::uint32_t resolve(const SuccessorBatch& slice, std::uint32_t target, std::uint32_t parent, By by) {
         const std::uint32_t index = target & SuccessorBatch::number;
         if ((target & SuccessorBatch::new_state) == 0) return index;
@@ -304,10 +310,10 @@ private:
         return entry.number;
     }
 
-    /// Adds the new state of the entry with its parent. If memory is exhausted, the state is added completely or not at
-    /// all.
+    /// Adds the new state of the entry to the graph, with its parent. If memory is exhausted, no part of the state is
+    /// added. Tests the maximum number of states, because one expanded state can have very many new successors.
     void discover(NewStates::Entry& entry, std::uint32_t parent) {
-        if (graph_.states() >= Store::most) throw std::bad_alloc();  // one state may have very many successors
+        if (graph_.states() >= Store::most) throw std::bad_alloc();
         graph_.parent.free_memory(1);
         graph_.kinds.free_memory(1);
         entry.number = graph_.store.roots().append(entry.root);
@@ -316,8 +322,8 @@ private:
         if (graph_.covering) graph_.covering->add(entry.number);
     }
 
-    /// Returns the number of the state in `now_.words`, or of a state that simulates it. A new state that no other
-    /// state simulates is added.
+    /// Returns the number of the state in `now_.words`, or of a state that simulates this state. If the state is new
+    /// and no other state simulates it, the function adds the state to the graph.
     std::uint32_t find_or_discover(std::uint32_t parent) {
         const Word root = graph_.store.fold(now_.words.data(), {}, next_);
         if (const std::uint32_t known = graph_.store.roots().find(root); known != Store::none) return known;
@@ -331,9 +337,9 @@ private:
         return entry.number;
     }
 
-    /// Returns the successor of the state after one unit of time or a state that simulates it, or Store::none if time
-    /// does not pass. The successor is read from the slice of the state if the state is in this block; otherwise it is
-    /// computed.
+    /// Returns the successor of the state after one unit of time, or a state that simulates this successor. Returns
+    /// Store::none if time cannot pass. If the state belongs to the current block, the successor is read from its
+    /// slice; otherwise, the successor is computed.
     std::uint32_t later(std::uint32_t state) {
         simulated_ = false;
         const std::size_t index = (state - slices_[0].begin) / limits_.slice();
@@ -348,8 +354,8 @@ private:
         return graph_.machine.delay(now_.words.data()) ? find_or_discover(state) : Store::none;
     }
 
-    /// Advances time from the state until time cannot pass or a state with a known delay is reached. See the comment at
-    /// the top of the file.
+    /// Advances time from the state, until time cannot pass or a state is reached whose delay is already known (see the
+    /// comment at the beginning of this file).
     void pass_time(std::uint32_t state) {
         for (std::uint32_t now = state; graph_.kind(now) == StateKind::Unknown;) {
             const std::uint32_t next = later(now);
@@ -377,7 +383,7 @@ private:
         graph_.links.clear();
     }
 
-    /// Records the model errors and uncovered bounds of the expanded states of a slice.
+    /// Records the model errors and the uncovered invariant bounds (UncoveredBound) of the expanded states of a slice.
     void note(const SuccessorBatch& slice) {
         const auto first = [&](std::optional<UncoveredAt>& of, const std::optional<UncoveredAt>& at) {
             if (!of && at && at->state < graph_.explored) of = at;
@@ -402,10 +408,10 @@ private:
     std::vector<SuccessorBatch> slices_ = {};
     std::vector<Slicer> slicers_ = {};  // one slicer per thread
     NewStates new_states_ = {};
-    std::size_t filled_ = 0;  // number of slices in the current block
+    std::size_t filled_ = 0;  // number of usable slices of the current block
     std::atomic<std::size_t> next_slice_ = 0;
     std::uint32_t level_end_ = 0;
-    bool simulated_ = false;  // true if the last result of `later` only simulates the successor
+    bool simulated_ = false;  // true if the last result of `later` is a state that simulates the successor
     Unfolded now_ = {}, next_ = {};
     PropertyMonitor::Registers registers_ = {};
 };
@@ -416,7 +422,8 @@ UnknownReason explore(Graph& graph, PropertyMonitor& monitor, const std::vector<
     try {
         return Exploration(graph, monitor, races, limits).run();
     } catch (const std::bad_alloc&) {
-        // Postcondition: all stored states are complete and indexed, and all expanded states have their links.
+        // Even after an exception, all stored states are complete and in the index, and all expanded states have their
+        // links.
         return UnknownReason::Memory;
     }
 }

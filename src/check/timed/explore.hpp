@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exploration: finds every reachable state, breadth first.
+// Exploration of the timed engine: finds all reachable states by a breadth-first search.
 #pragma once
 
 #include <chrono>
@@ -22,8 +22,8 @@ public:
 
     ThreadPool& team() const { return team_; }
     std::uint32_t slice() const { return options_.slice; }
-    /// Returns the number of parts into which `share_states` divides work on `states` states: 1 if there are too few
-    /// states for parallel work.
+    /// Returns the number of parts into which `share_states` divides work on `states` states. The result is 1 if the
+    /// number of states is too small for parallel work.
     std::size_t parts(std::size_t states) const { return states < std::size_t{1024} * slice() ? 1 : team_.size(); }
     /// Calls `work(part)` for each part, in parallel.
     template <class Work>
@@ -46,7 +46,8 @@ public:
     double seconds() const;
     /// True if the user has stopped the check or the deadline has passed.
     bool stopped() const;
-    /// Thrown by `poll` if the check must end. Loops over states outside the exploration call `poll`.
+    /// Exception that `poll` throws if the check must end. Loops over states that do not belong to the exploration call
+    /// `poll`.
     struct Stop {};
     static constexpr std::size_t poll_interval = 65536;  ///< number of states between two polls
     void poll() const {
@@ -55,8 +56,8 @@ public:
     /// Returns the reason why the search must end, or None. Reports progress periodically. `more` is the number of
     /// bytes that the search uses in addition to the memory of the graph.
     UnknownReason stop_reason(const Graph& graph, std::uint32_t state, std::size_t more);
-    /// Computes a profile of the states found so far, if there are many states and a profile was requested. A profile
-    /// is computed at most once.
+    /// Computes a profile of the states found so far, if their number is large and the options request a profile. The
+    /// function computes at most one profile.
     void explain(Graph& graph);
     bool too_many(const Graph& graph) const {
         return graph.states() >= options_.max_states || graph.states() >= Store::most ||
@@ -65,7 +66,8 @@ public:
     bool until_decided() const { return options_.until_decided; }
     bool ignores_depth() const { return options_.covering_without.depth; }
     std::uint64_t max_memory() const { return options_.max_memory; }
-    /// For a search that ended because of memory: true if the memory limit was reached, false if an allocation failed.
+    /// Requires that the search ended because of memory. True if the memory limit was reached, false if an allocation
+    /// failed.
     bool allowed_used() const { return allowed_used_; }
 
 private:

@@ -10,8 +10,8 @@ namespace grafverif::timed {
 
 namespace {
 
-/// Performs one sweep over `open`: each state for which `decided(state)` is true is moved to `set`. If `parallel` is
-/// true, several threads sweep ranges of `open` in parallel.
+/// Performs one sweep over `open`: moves each state for which `decided(state)` is true from `open` to `set`. If
+/// `parallel` is true, several threads process ranges of `open` in parallel.
 template <class Decided>
 void sweep_once(std::vector<std::uint32_t>& open, StateSet& set, bool parallel, const Limits& limits,
                 const Decided& decided) {
@@ -36,9 +36,9 @@ void sweep_once(std::vector<std::uint32_t>& open, StateSet& set, bool parallel, 
     open.resize(kept);
 }
 
-/// Sweeps over `open` in alternating directions; a state for which `decided(state)` is true is moved to `set`. Ends
-/// when a sweep moves fewer than 1/`stall` of the states or, if `stall` is 0, no state. Returns false if the check was
-/// stopped.
+/// Sweeps over `open` in alternating directions; each sweep moves the states for which `decided(state)` is true from
+/// `open` to `set`. Ends when a sweep moves fewer than 1/`stall` of the states. If `stall` is 0, ends when a sweep
+/// moves no state. Returns false if the check was stopped.
 template <class Decided>
 bool sweep(std::vector<std::uint32_t>& open, StateSet& set, std::size_t stall, bool parallel, const Limits& limits,
            const Decided& decided) {
@@ -97,14 +97,14 @@ std::vector<std::uint32_t> undecided(const Graph& graph, StateSet& set, const Li
     return all_but(set, graph.states(), limits);
 }
 
-constexpr std::size_t most_walkers = 4;  // maximum number of walkers, each of which stores a path
+constexpr std::size_t most_walkers = 4;  // maximum number of threads of a depth-first walk; each thread stores a path
 
 /// Decides the states that the sweeps leave undecided, by a depth-first walk from the roots. When all successors of a
-/// state are in `met`, the walk backtracks from the state and adds it to `met`. Several threads walk in parallel, from
-/// different roots and with different orders of successors. A thread does not enter a state from which another thread
-/// has backtracked. A state from which a run avoids `met` lies on a cycle outside of `met`, has no successors, or leads
-/// to such a cycle or to a state without successors. No thread ever backtracks from a state of this type. Therefore
-/// some thread finds the run, independently of the distribution of the states to threads.
+/// state are in `met`, the walk backtracks from the state and adds the state to `met`. Several threads walk in
+/// parallel, from different roots and with different orders of successors. A thread does not enter a state from which
+/// another thread has backtracked. Consider a state from which a run avoids `met`: outside of `met`, it leads to a
+/// cycle or to a state without successors. No thread ever backtracks from a state of this type. Therefore some thread
+/// finds the run, for any distribution of the states to threads.
 class DepthFirst {
 public:
     DepthFirst(Graph& graph, StateSet& met, const std::vector<std::uint32_t>& roots, const Limits& limits,
@@ -124,7 +124,7 @@ private:
         StateSet states;
         Column<std::uint32_t> stack = {};
         std::uint32_t steps = 0;
-        bool in_order = false;  // true: visits successors in order; false: in reverse order
+        bool in_order = false;  // if true, visits successors in their order; if false, in reverse order
     };
 
     void walk(std::size_t walker) {
@@ -136,7 +136,7 @@ private:
         }
     }
 
-    /// Returns false if some walker has found a run that avoids `met`.
+    /// Returns false if this thread or another thread has found a run that avoids `met`.
     bool walk_from(std::uint32_t root, Path& path) {
         Column<std::uint32_t>& stack = path.stack;
         stack.push_back(root);
@@ -184,7 +184,7 @@ private:
 std::optional<std::vector<std::uint32_t>> out_of_reach(Graph& graph, StateSet& goal, Transitions by,
                                                        const Limits& limits) {
     std::vector<std::uint32_t> open = undecided(graph, goal, limits);
-    const auto target_leads = [&](std::uint32_t state) {  // tests only the stored target, which is fast
+    const auto target_leads = [&](std::uint32_t state) {  // fast test, which reads only the stored target of the state
         const StateKind kind = graph.kind(state);
         const bool has_one = kind == StateKind::Urgent || (kind == StateKind::Acts && by != Transitions::UrgentActions);
         return has_one && goal.has(graph.target(state));

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Fixpoints over the state graph of a search. They determine from which states a set of states is reachable or
-// unavoidable.
+// Computes fixpoints over the state graph of a search: the states from which a set of states is reachable, or from
+// which it is unavoidable.
 //
 // Each fixpoint is a least set of states that grows backwards along the edges. The computation does not store inverse
 // edges. Instead, it sweeps over the undecided states, alternately in increasing and decreasing order. Each sweep adds
-// the states that are decided by their successors. Most edges lead to states with greater numbers, so a few sweeps
-// suffice. A sweep reads only a bit set and, sequentially, the links; this is much faster than a depth-first walk. If
-// sweeps add few states, `unavoidable` continues with a depth-first walk, whose cost is linear in the size of the
-// graph.
+// the states whose successors decide that they belong to the fixpoint. Most edges lead to states with greater numbers,
+// so a few sweeps suffice. A sweep reads only a bit set and, in sequential order, the links. Therefore a sweep is much
+// faster than a depth-first walk. If sweeps add few states, `unavoidable` continues with a depth-first walk, whose cost
+// is linear in the size of the graph.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@
 
 namespace grafverif::timed {
 
-/// Set of transitions: All (edges and delays), Actions (edges), or UrgentActions (urgent edges).
+/// Selects transitions of the graph: All (edges and delays), Actions (all edges), or UrgentActions (urgent edges).
 enum class Transitions { All, Actions, UrgentActions };
 
 /// Returns the expanded states from which no state of `goal` is reachable by transitions of the set `by`. Adds all
@@ -28,8 +28,8 @@ enum class Transitions { All, Actions, UrgentActions };
 std::optional<std::vector<std::uint32_t>> out_of_reach(Graph& graph, StateSet& goal, Transitions by,
                                                        const Limits& limits);
 
-/// Returns true if every maximal run from each state of `roots` reaches `met`; nullopt if the check was stopped. Adds
-/// to `met` states from which every maximal run reaches `met`, as far as the result requires.
+/// Returns true if every maximal run from each state of `roots` reaches `met`, and nullopt if the check was stopped.
+/// Adds to `met` those states from which every maximal run reaches `met` and which the computation examined.
 std::optional<bool> unavoidable(Graph& graph, StateSet& met, const std::vector<std::uint32_t>& roots,
                                 const Limits& limits);
 
@@ -41,8 +41,8 @@ struct Lasso {
 };
 
 /// Returns a short maximal run that visits a state of `roots` and does not visit `met` from this state on. `roots` is
-/// in the order of discovery. If `endless` is true, only infinite runs are considered. The path is empty if there is no
-/// such run.
+/// in the order of discovery. If `endless` is true, only infinite runs are considered. The path is empty if no run has
+/// these properties.
 Lasso avoiding(Graph& graph, const StateSet& met, const std::vector<std::uint32_t>& roots, bool endless,
                const Limits& limits);
 

@@ -11,7 +11,8 @@ void Graph::urgent_successors(std::uint32_t state, std::vector<std::uint32_t>& f
     found.clear();
     each_action(state, [&](std::uint32_t next) { found.push_back(next); });
     expand(state);
-    std::size_t move = 0;  // index of the move to the next successor; moves and successors have one order
+    std::size_t move = 0;  // index of the move that leads to the next successor; moves and successors are in the same
+                           // order
     std::erase_if(found, [&](std::uint32_t) { return !machine.urgent(moves_.edges[move++]); });
 }
 
@@ -52,7 +53,8 @@ NetworkState Graph::state_of(const Word* words) const {
     return state;
 }
 
-/// Returns the first state of a path in packed form, with the values of all variables if this is the initial state.
+/// Returns the first state of a path in packed form. Variables that are not stored have correct values only if this is
+/// the initial state.
 std::vector<Word> Graph::first_words(const std::vector<std::uint32_t>& path) {
     if (path.front() == 0) return packed_initial(machine.network(), machine.layout());
     const Word* const words = load(path.front());

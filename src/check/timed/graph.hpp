@@ -2,11 +2,11 @@
 // Graph: the states that a search has found and the transitions between them.
 //
 // The StateKind of a state and one of its successors, called the target, are stored in one 32-bit word. `links`
-// contains, for each state, the successors by edges. The number of a successor is encoded as the difference from the
-// previous successor of the list; the first successor is encoded as the difference from the state. A difference is
-// stored in groups of seven bits, because most differences are small. If links use too many bytes per state, they are
-// discarded. If the links have been discarded, successors are computed again on demand, which saves memory but costs
-// time. The parents of states determine a shortest run to each state.
+// contains, for each state, a list of the successors by edges. The number of a successor is encoded as the difference
+// from the previous number in the list; the first number is encoded as the difference from the number of the state. A
+// difference is stored in groups of seven bits, because most differences are small. If links use too many bytes per
+// state, they are discarded. If the links have been discarded, successors are computed again on demand, which saves
+// memory but costs time. The parents of states determine a shortest run to each state.
 #pragma once
 
 #include <atomic>
@@ -25,7 +25,7 @@
 
 namespace grafverif::timed {
 
-/// Classification of a state: it states if time can pass, and if an edge or an urgent edge is enabled.
+/// Classifies a state: whether time can pass in the state, and whether an edge or an urgent edge is enabled.
 enum class StateKind : std::uint32_t {
     Unknown,       ///< the state was not expanded
     Passes,        ///< time can pass, and no edge is enabled
@@ -132,21 +132,21 @@ public:
     static constexpr std::uint32_t kind_shift = 29, target_mask = (1U << kind_shift) - 1;
 
     Machine& machine;
-    MacroSteps macro_steps;  ///< the edges of the graph
+    MacroSteps macro_steps;  ///< computes the edges of the graph
     Store store;
     Column<std::uint32_t> parent = {};
-    Column<std::uint32_t> kinds = {};  // kind and target of each state
-    Links links = {};                  // lists of the expanded states
+    Column<std::uint32_t> kinds = {};  // kind and target (one successor) of each state
+    Links links = {};                  // lists of the successors of the expanded states
     bool linked = true;
-    /// Omits states that other states simulate. Null if no states are omitted, or if the search stopped omitting states
-    /// because too few states could be omitted.
+    /// Finds states that other states simulate, so that the search can omit them. Null if no states are omitted, or if
+    /// the search no longer omits states because too few states could be omitted.
     std::unique_ptr<Covering> covering = {};
     /// True if states may have been omitted. If true, successors may be missing, so that only properties about single
     /// states are decided.
     bool covered = false;
-    std::uint32_t explored = 0;              // number of expanded states; only these have a kind and links
-    std::vector<std::uint32_t> levels = {};  // first state of each depth
-    std::uint64_t transitions = 0;  // number of computed transitions, with those between the states of macro-steps
+    std::uint32_t explored = 0;              // number of expanded states; only expanded states have a kind and links
+    std::vector<std::uint32_t> levels = {};  // number of the first state at each depth
+    std::uint64_t transitions = 0;           // number of computed transitions, including transitions inside macro-steps
     bool time_passes = false;
     std::optional<UncoveredAt> stuck_bound = {}, locked_bound = {};
     std::vector<FaultAt> faults = {};        // model errors; at most one for each edge and variable
@@ -189,7 +189,8 @@ public:
     /// Stores the successors of `state` by urgent edges in `found`.
     void urgent_successors(std::uint32_t state, std::vector<std::uint32_t>& found);
 
-    /// Computes the edges of the graph that begin in `words`. Returns the number of moves that it has computed.
+    /// Computes the edges of the graph that begin in the state `words`. Returns the number of computed moves, including
+    /// moves inside macro-steps.
     std::size_t expand(const Word* words, Moves& moves, MacroSteps::Buffers& buffers) const {
         if (macro_steps.applies()) return macro_steps.expand(words, moves, buffers);
         machine.expand(words, moves);
@@ -201,7 +202,7 @@ public:
     /// Returns the moves along a path of states. Consecutive delays are joined to one move, except for two delays
     /// between which the loop begins (at index `loop`).
     Run run_along(const std::vector<std::uint32_t>& path, std::optional<std::size_t> loop = {});
-    /// Returns a state; scratch variables have their initial values.
+    /// Returns state number `number`. Variables that are not stored (scratch variables) have their initial values.
     NetworkState state(std::uint32_t number);
     /// Returns the states of a path, except the first, in the form of TimedResult::paths.
     std::vector<AbstractState> states_along(const std::vector<std::uint32_t>& path);

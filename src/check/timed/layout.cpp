@@ -10,8 +10,8 @@ namespace grafverif::timed {
 
 namespace {
 
-/// Allocates the bits of all fields. Each field is placed in the first open word with enough free bits. Related fields
-/// are allocated consecutively.
+/// Allocates the bits of the fields, one field after another. Each field is placed in the first open word with enough
+/// free bits. Callers allocate related fields consecutively.
 class Bits {
 public:
     Field take(std::uint64_t values, std::int64_t low) {
@@ -59,8 +59,8 @@ std::vector<Id<Network::Process>> by_part(const Network& network, const NetworkS
     return processes;
 }
 
-/// Returns, for each process, a list of the variables that it writes and no previous process writes. The result ends
-/// with a list of the variables that no process writes.
+/// Returns, for each process, a list of the variables that this process writes and no previous process writes. The last
+/// list contains the variables that no process writes.
 std::vector<std::vector<Id<Network::Variable>>> written_by_process(const Network& network) {
     std::vector<std::size_t> writer(network.variables.size(), network.processes.size());
     for (const Id<Network::Process> id : network.processes.ids()) {

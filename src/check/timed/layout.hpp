@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Layout: position of each location, variable and clock of a network in the bits of a state.
+// Layout: the position of each location, variable and clock of a network in the bits of a packed state.
 //
 // A state is an array of 64-bit words. A field does not cross a word boundary. Therefore a field is read by a shift and
-// a mask, and a conjunction of Booleans in one word is tested by one comparison. A Boolean uses one bit; an integer
-// uses the bits of its range, and a clock uses the bits of its largest cap (ir/network_clocks.hpp). Scratch variables
-// follow the stored words. Scratch variables are written before they are read, and therefore need not be cleared or
-// compared.
+// a mask, and a conjunction of Booleans in one word is tested by one comparison. A Boolean uses one bit. An integer
+// uses as many bits as its range requires. A clock uses as many bits as its largest cap requires; a cap is the value
+// above which the clock is not distinguished (ir/network_clocks.hpp). Scratch variables follow the stored words. Each
+// scratch variable is written before it is read, so scratch variables are neither cleared nor compared.
 #pragma once
 
 #include <bit>
@@ -20,7 +20,7 @@
 
 namespace grafverif::timed {
 
-/// The values of a clock that its constraints admit (ir/network_clocks.hpp).
+/// An interval of the values of a clock that constraints admit (ir/network_clocks.hpp).
 using Interval = ClockInterval;
 
 /// Returns a text that names the first element for which integer time may be inexact: a strict constraint, or an urgent
@@ -35,7 +35,7 @@ struct Field {
     std::uint8_t width = 0;  ///< number of bits; 0 if the value is always `low`
     std::int64_t low = 0;    ///< value that the field represents if all its bits are 0
 
-    /// Returns a mask of `width` bits, not shifted to the position of the field.
+    /// Returns a mask of `width` bits at position 0, without the shift to the position of the field.
     Word all() const { return width == 0 ? 0 : ~Word{0} >> (64U - width); }
     Word mask() const { return width == 0 ? 0 : all() << shift; }
     Word raw(const Word* words) const { return width == 0 ? 0 : (words[word] & mask()) >> shift; }
@@ -55,24 +55,24 @@ struct Layout {
     std::vector<Field> locations = {};            ///< one field per process
     std::vector<Field> variables = {};            ///< one field per variable
     std::vector<std::vector<Field>> clocks = {};  ///< one field per process and clock
-    /// For each input choice: the field of the set of possible valuations; the field has width 0 if the set is not
-    /// stored.
+    /// For each input choice: the field that stores the set of possible valuations. The field has width 0 if the set is
+    /// not stored.
     std::vector<Field> choices = {};
-    std::size_t stored = 1;  ///< number of words of a state
+    std::size_t stored = 1;  ///< number of words that are stored for a state
     std::size_t words = 1;   ///< number of words including scratch variables
     std::size_t halves = 1;  ///< number of 32-bit units that contain all stored bits
     /// Indices of the 32-bit units at which the fields of a subsystem begin, except for the first subsystem.
     std::vector<std::size_t> seams = {};
 };
 
-/// A set of variables of a network: one value per variable.
+/// A set of variables of a network: one element per variable, which is true if the set contains the variable.
 using VariableSet = std::vector<bool>;
 
 /// Returns the Boolean variables that no edge and no property of `network` reads. Requires that `network` is expanded.
 VariableSet unread_variables(const Network& network);
 
-/// Computes the layout of `network`, which must be expanded. The variables of `unread` are not stored; they follow the
-/// stored words like scratch variables.
+/// Computes the layout of `network`, which must be expanded. Variables for which `unread` is true are not stored; they
+/// follow the stored words like scratch variables.
 Layout layout_of(const Network& network, const std::vector<ProcessClocks>& clocks,
                  const std::vector<InputChoice>& choices = {}, const VariableSet& unread = {});
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The inner loop of the search: computes the moves of a state. The buffers are reused, so that memory is allocated only
-// when a buffer grows.
+// The inner loop of the search: computes the moves of a state. The code reuses buffers and allocates memory only when a
+// buffer must grow.
 #include "check/timed/machine.hpp"
 
 #include <bit>
@@ -54,7 +54,7 @@ void Machine::fire(std::uint32_t edge, const Word* words, Moves& moves) const {
     add_move(edge, ran, moves);
 }
 
-/// Returns the address at which the next successor is computed.
+/// Returns the address of the buffer space for the next successor. Enlarges the buffer if necessary.
 Word* Machine::next_successor(Moves& moves) const {
     if (const std::size_t needed = (moves.edges.size() + 1) * layout_.words; moves.words.size() < needed)
         moves.words.resize(2 * needed);
@@ -69,7 +69,7 @@ void Machine::copy_stored(const Word* words, Word* next, const Moves& moves) con
 /// Adds the move by `edge`, whose code has computed the state at next_successor(moves). If the edge causes a model
 /// error, records the error and returns false.
 bool Machine::add_move(std::uint32_t edge, const ExecutionResult& ran, Moves& moves) const {
-    moves.urgent = moves.urgent || edges_[edge].urgent;  // set even if a model error occurs
+    moves.urgent = moves.urgent || edges_[edge].urgent;  // set even if the edge causes a model error
     if (ran.end == End::Yes) {
         moves.edges.push_back(edge);
         if (moves.record_choices) moves.chosen.insert(moves.chosen.end(), choices_.size(), 0);
@@ -79,8 +79,8 @@ bool Machine::add_move(std::uint32_t edge, const ExecutionResult& ran, Moves& mo
     return false;
 }
 
-/// Executes the code of the edge for each combination of sets of input valuations that the code distinguishes. If only
-/// some of the possible valuations satisfy a test, the execution forks at this test.
+/// Executes the code of an edge that reads chosen inputs, once for each combination of input valuations that the code
+/// distinguishes. If only some of the possible valuations satisfy a test, the execution forks at this test.
 void Machine::fire_each_path(std::uint32_t edge, const Word* words, Moves& moves) const {
     const Edge& at = edges_[edge];
     std::int64_t* const registers = moves.registers.data() + program_.below;

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Machine: a network compiled for the search. For a packed state, the machine computes the successors as packed states.
+// Machine: a network that is compiled for the search. For a packed state, the machine computes the successors as packed
+// states.
 //
 // To test an edge, the machine first compares one masked word of the state with a constant, and then evaluates the
 // remaining conjuncts of the guard and the clock constraint. One program applies the effect of an edge to a copy of the
 // state: assignments, procedures, the new location, clock resets and clock caps. The program also tests the invariant
 // of the target location.
 //
-// While testing the edges of a state, the machine also determines if integer time is exact in this state
-// (docs/explanation/timed-engine.md, "Exactness"). An edge covers a bound `c <= d` of its source location if its guard
-// holds and, at c == d, it is enabled for all values of the other clocks (see UncoveredBound).
+// While testing the edges of a state, the machine also determines whether integer time is exact in this state
+// (docs/explanation/timed-engine.md, "Exactness"). For this purpose, it determines the bounds that edges cover. An edge
+// with a true guard covers a bound `c <= d` of its source location if, at c == d, all values of the other clocks enable
+// the edge.
 #pragma once
 
 #include <cstdint>
@@ -25,25 +27,25 @@ namespace grafverif::timed {
 struct Fault {
     End kind = End::OutOfRange;
     std::uint32_t edge = 0;      ///< index in Machine::edges
-    std::uint32_t variable = 0;  ///< variable, only for OutOfRange
+    std::uint32_t variable = 0;  ///< index of the variable; only for OutOfRange
 };
 
-/// A bound of the invariant of a current location. Moves::stuck_bound is a bound that no edge covers.
-/// Moves::locked_bound is a bound that no edge releases (EdgeTiming::frees), or that is less than one time unit.
+/// A bound `c <= d` of the invariant of a current location. No edge covers the bound Moves::stuck_bound. The bound
+/// Moves::locked_bound is less than one time unit, or no edge ends it (EdgeTiming::frees).
 struct UncoveredBound {
     std::uint32_t process = 0;
-    std::uint32_t bound = 0;  ///< index in the invariant of its location
+    std::uint32_t bound = 0;  ///< index of the constraint in the invariant
 };
 
 /// The moves of one state. Callers reuse the object to avoid allocation.
 struct Moves {
-    std::vector<std::uint32_t> edges = {};  ///< the enabled edges, in the order of processes and edges
+    std::vector<std::uint32_t> edges = {};  ///< the enabled edges, ordered by process and then by edge
     std::vector<Word> words = {};  ///< successors by the moves; each successor has Machine::layout().words words
     std::vector<std::int64_t> registers = {};
     Forks forks = {};
-    /// True: `chosen` is computed, and the values of variables that are not stored are copied to the successors.
+    /// If true, `chosen` is computed, and the values of variables that are not stored are copied to the successors.
     bool record_choices = false;
-    /// If `record_choices`: per move and input choice, the valuations that remain possible.
+    /// Only if `record_choices` is true: per move and input choice, the set of valuations that remain possible.
     std::vector<Word> chosen = {};
     bool cut = false;     ///< true if an edge reads more than Machine::most_choices combinations of chosen inputs
     bool urgent = false;  ///< true if some urgent edge is enabled, so that time cannot pass
@@ -54,14 +56,16 @@ struct Moves {
     std::optional<UncoveredBound> locked_bound = {};
 };
 
-/// A network as code. Several threads may use the machine at the same time, while none of them compiles code.
+/// A network compiled to code. Several threads may use the machine at the same time, as long as no thread compiles
+/// code.
 class Machine {
 public:
     static constexpr std::size_t most_choices = std::size_t{1} << 14U;
 
-    /// Compiles `network`, which must be expanded and outlive the machine. An edge of a PLC that reads inputs of
-    /// `choices` represents one edge per combination of the values of these inputs. Requires at most
-    /// Choices::most_splits valuations in total. States do not contain the variables of `unread`.
+    /// Compiles `network`, which must be expanded and outlive the machine. If an edge of a PLC reads inputs of
+    /// `choices`, this edge represents one edge for each combination of the values of these inputs. Requires that the
+    /// number of valuations in `choices` is at most Choices::most_splits. States do not contain the variables for which
+    /// `unread` is true.
     explicit Machine(const Network& network, std::vector<InputChoice> choices = {}, const VariableSet& unread = {});
 
     const Network& network() const { return network_; }
@@ -88,33 +92,35 @@ public:
 
 private:
     struct Edge {
-        Word mask = 0, value = 0;            // first test: the masked word has this value
+        Word mask = 0, value = 0;            // first test: word number `word`, masked with `mask`, is equal to `value`
         std::uint32_t guard = Program::yes;  // code of the remaining conjuncts of the guard
         std::uint32_t clocks = Program::yes;
         std::uint32_t effect = Program::yes;
         std::uint32_t process = 0, index = 0;
-        Word covers = 0, frees = 0;  // masks of bounds of the source's invariant: see UncoveredBound
+        Word covers = 0, frees = 0;  // masks of bounds of the invariant of the source location (see EdgeTiming)
         std::uint16_t word = 0;
-        std::uint32_t first_set = 0, last_set = 0;  // range in sets_: the choices of its PLC
+        std::uint32_t first_set = 0, last_set = 0;  // range in sets_: the sets of the PLC to which the edge belongs
         bool urgent = false;
-        bool always = false;  // true if the edge does not depend on clocks: it covers all bounds of all processes
+        bool always = false;  // true if the edge does not depend on clocks; the edge then covers all bounds of all
+                              // processes
     };
-    struct Set {  // a set of valuations of a choice, in an edge
+    struct Set {  // a set of possible valuations of an input choice, which an edge uses
         std::uint32_t choice = 0;
         Word all = 0;
-        bool widened = false;  // true if the edge makes all valuations possible again
+        bool widened = false;  // true if all valuations are possible again after the edge
     };
     struct Tick {
         Word mask = 0;
-        Word greatest = 0;  // time can pass while the clock has a smaller value
+        Word greatest = 0;  // time can pass only while the clock is less than this value
         Word cap = 0;
         std::uint16_t word = 0;
         std::uint8_t shift = 0;
     };
-    struct Row {                                      // one location of one process
+    struct Row {                                      // the compiled data of one location of one process
         std::uint32_t first = 0, last = 0;            // range in edges_
         std::uint32_t first_tick = 0, last_tick = 0;  // range in ticks_
-        Word bounds = 0, late = 0;                    // masks: its bounds; its bounds of at least one time unit
+        Word bounds = 0, late = 0;                    // mask of all bounds of its invariant; mask of its bounds of at
+                                                      // least one time unit
     };
     struct Place {
         Word mask = 0;
@@ -146,13 +152,15 @@ private:
     std::vector<Tick> ticks_ = {};
     std::vector<Row> rows_ = {};
     std::vector<Place> places_ = {};
-    std::vector<Field> until_delay_ = {};  // sets of valuations of choices; after a delay, all are possible
-    struct Rest {  // states in which a PLC waits and is stable: all valuations of the choice become possible again
+    std::vector<Field> until_delay_ = {};  // fields of the sets of valuations that a delay resets: all valuations are
+                                           // possible after a delay
+    struct Rest {  // describes the states in which a PLC waits and is stable; in these states, all valuations of a
+                   // choice become possible again
         Field stable = {}, location = {};
         Word waiting = 0;
         bool is_reached(const Word* words) const { return stable.raw(words) != 0 && location.raw(words) == waiting; }
     };
-    std::vector<std::optional<Rest>> rests_ = {};  // per choice
+    std::vector<std::optional<Rest>> rests_ = {};  // one entry per input choice
     bool timed_ = false;
 };
 

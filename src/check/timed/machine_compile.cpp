@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiles a Network to a Machine, once before each search.
+// Compiles a Network to a Machine. The compilation is performed once before each search.
 #include <algorithm>
 #include <utility>
 
@@ -9,7 +9,7 @@ namespace grafverif::timed {
 
 namespace {
 
-/// Compiles the test that a clock is in the interval `wanted`. The stored value of the clock saturates at `cap`.
+/// Compiles the test that a clock is in the interval `wanted`. The stored value of the clock never exceeds `cap`.
 std::uint32_t within(Compiler& compiler, const Field& field, const Interval& wanted, std::int64_t cap,
                      std::uint32_t yes, std::uint32_t no) {
     const std::int64_t low = std::max<std::int64_t>(wanted.low, 0);
@@ -103,8 +103,8 @@ Machine::Edge Machine::compile_edge(Id<Network::Process> process, Id<Network::Ed
     compiled.index = id.index;
     compiled.urgent = edge.urgent;
     compile_guard(edge.guard, compiled);
-    // The invariant of the target location reads only clocks. Therefore the invariant, with the clock values after the
-    // resets, can be tested before the effect is executed.
+    // The invariant of the target location reads only clocks. Therefore the code can test this invariant, for the clock
+    // values after the resets, before it executes the effect of the edge.
     const std::vector<Interval> wanted = admitted(network_, edge.constraint, automaton.clocks.size());
     const std::vector<Interval> after =
         admitted(network_, automaton.locations[edge.to].invariant, automaton.clocks.size());
@@ -125,8 +125,8 @@ Machine::Edge Machine::compile_edge(Id<Network::Process> process, Id<Network::Ed
     return compiled;
 }
 
-/// Compiles a guard. If the guard begins with a test of bits of one word, this test is stored in the edge; the other
-/// tests are stored as code.
+/// Compiles a guard. If some conjuncts of the guard test bits of one word, one test for all these bits is stored in the
+/// edge; the remaining conjuncts are compiled to code.
 void Machine::compile_guard(Id<Expr> guard, Edge& compiled) {
     const auto alone = [&](Id<Expr> term) {
         const auto bits = compiler_.literal(term);

@@ -57,7 +57,7 @@ void MacroSteps::keep(Moves& moves, const Keeps& keeps) const {
     moves.edges.resize(kept);
 }
 
-/// Returns the index of the PLC that is within a cycle, or `none`.
+/// Returns the index (in `cycles_`) of a PLC that is within a cycle, or `none` if no PLC is within a cycle.
 std::size_t MacroSteps::cycle_of(const Word* words) const {
     for (std::size_t i = 0; i < cycles_.size(); ++i)
         if (cycles_[i].within[location_of(cycles_[i].process, words)]) return i;
@@ -68,14 +68,14 @@ std::size_t MacroSteps::location_of(std::uint32_t process, const Word* words) co
     return static_cast<std::size_t>(machine_->layout().locations[process].get(words));
 }
 
-/// Computes the moves of the state. Returns true if it is transient and has no model error; `moves` then contains only
-/// the moves by which macro-steps continue.
+/// Computes the moves of the state. Returns true if the state is transient (macro_steps.hpp) and has no model error; in
+/// this case, `moves` contains only the moves by which macro-steps continue.
 bool MacroSteps::is_transient(const Word* words, Moves& moves) const {
     if (std::ranges::any_of(races_, [&](const Field& race) { return race.raw(words) != 0; })) return false;
     machine_->expand(words, moves);
     if (moves.fault || moves.cut) return false;
     const auto process_of = [&](std::uint32_t edge) { return machine_->process_of(edge).index; };
-    // Only observers can move: they read the state that the last move has reached.
+    // If only observers can move, they read the state that the last move has reached.
     const auto is_observer = [&](std::uint32_t edge) { return observers_[process_of(edge)]; };
     if (moves.urgent && std::ranges::all_of(moves.edges, is_observer)) return true;
     // Requests to timers are accepted first, one timer at a time.
@@ -115,7 +115,8 @@ bool MacroSteps::is_transient(const Word* words, Moves& moves) const {
     return !moves.edges.empty();
 }
 
-/// True if each search that the state decides is also decided by `first` or by a successor of the state.
+/// True if the state need not be stored for properties: `first` or a successor of the state decides each property
+/// search that the state decides.
 bool MacroSteps::is_covered(const Word* words, const Moves& moves, const Word* first, Buffers& buffers) const {
     if (without_.properties || !monitor_.needs(*machine_, words, buffers.made.registers)) return true;
     if (!monitor_.mark(*machine_, words, buffers.made.registers, buffers.marks)) return false;
@@ -132,7 +133,8 @@ bool MacroSteps::is_covered(const Word* words, const Moves& moves, const Word* f
     return false;
 }
 
-/// Gives outputs whose values are not relevant in the state their initial values, so that equivalent states are equal.
+/// Replaces the values of dead outputs, which are not relevant in the state, by the initial values of the outputs. Thus
+/// equivalent states become equal.
 void MacroSteps::normalize(Word* words) const {
     for (const Cycle& cycle : cycles_) {
         const std::size_t location = location_of(cycle.process, words);
@@ -141,7 +143,8 @@ void MacroSteps::normalize(Word* words) const {
     }
 }
 
-/// Appends the successors of a macro-step that begins with `edge` and has reached the state `words`.
+/// Continues a macro-step that begins with `edge` and has reached the state `words`. Appends the successors of the
+/// macro-step to Buffers::made.
 void MacroSteps::append(Word* words, std::uint32_t edge, std::size_t depth, const Word* first, Buffers& buffers) const {
     normalize(words);
     if (!buffers.known->add(words).is_new) return;
@@ -181,7 +184,8 @@ bool MacroSteps::are_equivalent(const Word* words, const Word* stored) const {
     return std::equal(stored, stored + machine_->layout().stored, normal.begin());
 }
 
-/// Searches for the moves of a macro-step from `words`, a state after `steps`, to `to`. Appends the moves to `steps`.
+/// Searches for moves that continue a macro-step from the state `words` to the state `to`. `steps` contains the
+/// previous moves of the macro-step. Appends the moves to `steps` and returns true if the search succeeds.
 bool MacroSteps::find(const Word* words, const Word* to, PackedStates& visited, std::vector<Step>& steps) const {
     const Layout& layout = machine_->layout();
     Moves moves;

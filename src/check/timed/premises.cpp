@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Two premises depend on cycles in the graph. First, no run has infinitely many moves in one instant if there is no
-// cycle of edges. Second, time can diverge if there is a cycle of edges and delays that contains a delay. Strongly
-// connected components decide both premises. In most subsystems, some state does not change when time passes; such a
-// state decides the second premise without components.
+// Decides two premises by the cycles of the graph. First, no run has infinitely many moves in one instant if the graph
+// has no cycle of edges. Second, time can diverge if a cycle of edges and delays contains a delay. The strongly
+// connected components of the graph decide both premises. In most subsystems, some state does not change when time
+// passes; such a state decides the second premise without a computation of components.
 #include "check/timed/premises.hpp"
 
 #include <optional>
@@ -14,8 +14,8 @@ namespace grafverif::timed {
 
 namespace {
 
-/// Returns the strongly connected components of all states: connected by edges and, if `delays` is true, also by
-/// delays. A state with a model error has no successors.
+/// Returns the strongly connected components of the graph whose transitions are the edges and, if `delays` is true,
+/// also the delays. In this graph, a state with a model error has no successors.
 auto components_of(Graph& graph, bool delays, const Limits& limits) {
     Components components(graph.states(), limits, [&graph, delays](std::uint32_t state, const auto& take) {
         if (graph.open(state)) return;
@@ -26,7 +26,8 @@ auto components_of(Graph& graph, bool delays, const Limits& limits) {
     return components;
 }
 
-/// Returns a run in which time diverges. A run that stays in one state is preferred.
+/// Returns a run in which time diverges, or nullopt if no such run exists. The function prefers a run that finally
+/// stays in one state.
 std::optional<Run> divergent(Graph& graph, const Limits& limits) {
     const auto along = [&](std::uint32_t state, const std::vector<std::uint32_t>& cycle) {
         std::vector<std::uint32_t> path = graph.path_to(state);

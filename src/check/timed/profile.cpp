@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Each field of a state has a pseudorandom number that depends on its value. The hash of a state is the sum of the
-// numbers of all fields; the hash of a component (a part or a clock) is the sum of the numbers of its fields. The
-// difference of these two hashes is the hash of the rest: the state without the component. Therefore, one pass over the
-// states computes, for every component, the hash of the rest of each state. To bound the memory, the hashes are divided
-// into 2^k classes, and only rests of one class are counted. A class contains either all states with a given rest or
-// none of them.
+// Computes the state profile by hashing. A hash function maps each field and its value to a pseudorandom number. The
+// hash of a state is the sum of the numbers of all fields; the hash of a component (a part or a clock) is the sum of
+// the numbers of its fields. The difference of these two hashes is the hash of the *rest*: the state without the
+// component. Therefore, one pass over the states computes the hash of the rest of each state, for every component. To
+// bound the memory, the hashes are divided into 2^k classes, and only rests of one class are counted. All states with
+// the same rest belong to the same class.
 #include "check/timed/profile.hpp"
 
 #include <algorithm>
@@ -19,9 +19,9 @@ namespace grafverif::timed {
 
 namespace {
 
-constexpr std::size_t most_rests = std::size_t{1} << 21U;  // approximate maximum number of stored rests
-// Maximum number of different values that are stored, for all components together (but at least 256 for each
-// component).
+constexpr std::size_t most_rests = std::size_t{1} << 21U;  // approximate maximum number of stored hashes of rests
+// Maximum number of different component values that are stored, for all components together. Each component may store
+// at least 256 values.
 constexpr std::size_t most_seen = std::size_t{1} << 20U;
 
 /// Mixing function of SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom number generators, 2014).
@@ -61,7 +61,7 @@ struct ProfiledField {
     std::size_t clock = none;
 };
 
-/// The location field of a controller, with the two locations in which no cycle is in progress.
+/// The location field of a controller, and the two locations of the controller in which no cycle is in progress.
 struct Waiting {
     Field location = {};
     std::uint32_t waiting = 0, initial = 0;
@@ -106,7 +106,8 @@ public:
 private:
     using Kind = StateProfile::Kind;
 
-    /// Creates one part for each controller with its timers, and one part for each other process.
+    /// Creates the parts of the profile: one part for each controller with its timers, and one part for each other
+    /// process.
     void name_parts() {
         part_of_.assign(network_.processes.size(), ProfiledField::none);
         display_names_ = display_names(network_);
@@ -184,7 +185,7 @@ private:
         }
     }
 
-    /// Returns the value of a clock in the coarser unit.
+    /// Converts the value of a clock to the coarser time unit, rounded down.
     Word coarser(Word units) const {
         const StateProfile::Finest& finest = *profile_.finest;
         return units * static_cast<Word>(finest.unit_ms) / static_cast<Word>(finest.coarser_ms);
@@ -220,7 +221,7 @@ private:
     std::vector<Waiting> waiting_ = {};
     std::vector<ProfiledField> columns_ = {};
     std::vector<ProfiledElement> elements_ = {};  // first the parts, then the clocks
-    ProfiledElement finer_ = {};  // the rest of a state is the state with clocks in the coarser time unit
+    ProfiledElement finer_ = {};  // pseudo-component: its rest is the state with all clocks in the coarser time unit
     std::uint64_t classes_ = 1;
 };
 

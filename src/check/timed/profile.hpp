@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// State profile: the components that contribute most states to a search.
+// Computes a state profile: the components of a model that contribute most to the number of states of a search.
 #pragma once
 
 #include <optional>
@@ -10,11 +10,11 @@
 namespace grafverif::timed {
 
 enum class Effort {
-    Brief,  ///< computation takes about 0.1 s, because the user waits for the result
-    Full,   ///< computation takes a few seconds
+    Brief,  ///< the computation takes about 0.1 s, because the user waits for the result
+    Full,   ///< the computation takes a few seconds
 };
-/// Returns a profile of the states that were found first. `effort` limits the number of these states. `finest` is the
-/// duration that requires a fine time unit, if there is such a duration.
+/// Returns a profile of the states that the search found first; `effort` limits their number. `finest` is the duration
+/// of the model that requires the current, fine time unit, or nullopt.
 StateProfile profile_of(Graph& graph, std::optional<StateProfile::Finest> finest, Effort effort = Effort::Full);
 
 }  // namespace grafverif::timed

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Executes compiled code. The interpreter has no state except the current instruction, so that its speed depends mainly
-// on branch prediction.
+// Executes compiled code (program.hpp). The interpreter has no state except the current instruction, so its speed
+// depends mainly on branch prediction.
 #include "check/timed/program.hpp"
 
 #include <algorithm>
@@ -27,8 +27,8 @@ std::int64_t arithmetic(Opcode op, std::int64_t left, std::int64_t right) {
     return overflow ? undefined : result;
 }
 
-/// Evaluates the operators of `eager` code. The registers contain the values of all operands. The result of EagerAnd
-/// and EagerOr depends on the right operand only if the left operand does not determine the result.
+/// Evaluates an instruction of code without branches (eager.cpp). The registers contain the values of all operands. The
+/// result of EagerAnd and EagerOr depends on the right operand only if the left operand does not determine the result.
 std::int64_t eager_value(const Instruction& at, const std::int64_t* registers) {
     const std::int64_t left = registers[at.a];
     const std::int64_t right = registers[at.b];

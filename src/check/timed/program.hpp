@@ -7,9 +7,9 @@
 // the compiler receives the instruction that follows if the term is true and the instruction that follows if it is
 // false. The compiler returns the first instruction of the term. A conjunction of Boolean variables in one word is
 // compiled to one Test instruction, and a comparison of a variable with a constant to one Within instruction. All other
-// arithmetic uses registers. If a term has many shared subterms, so that its tree is far larger than its graph, each
-// shared subterm is evaluated once and stored in a register (`eager`). The eager code and the branching code compute
-// the same values, including undefined values.
+// arithmetic uses registers. If a term has many shared subterms, so that its tree is far larger than its graph, it is
+// compiled to code without branches (`eager`). This code evaluates each shared subterm once and stores its value in a
+// register. Code with and without branches computes the same values, including undefined values.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ namespace grafverif::timed {
 
 enum class Opcode : std::uint8_t {
     Yes,
-    No,      // Yes, No: end of the program
+    No,      // Yes, No: end the execution with this result
     Test,    // tests (word & mask) == value
     Within,  // tests low <= raw field <= low + span
     Load,
@@ -35,7 +35,7 @@ enum class Opcode : std::uint8_t {
     Multiply,
     Divide,
     Modulo,
-    Negate,  // Add to Negate: register `to` := a op b; `undefined` if the operation has no value
+    Negate,  // Add to Negate: register `to` := a op b (Negate: -a); `undefined` if the operation has no value
     Equal,
     Less,
     LessEqual,  // Equal to LessEqual: compare registers a and b
@@ -49,41 +49,41 @@ enum class Opcode : std::uint8_t {
     EagerLessEqual,
     EagerChoice,  // EagerNot to EagerChoice: operations with the result in register `to`
     Patch,        // word := (word & mask) | value
-    Store,        // field := register a if it is in range; otherwise a model error
+    Store,        // field := register a; a value outside the range of the field causes a model error
     Cap,          // raw field := minimum of the raw field and `value`
     Choose,       // tests if the chosen valuation belongs to the set `value` (see Choices)
 };
 
 struct Instruction {
-    Word mask = 0;          ///< Load, Within, Store, Cap: mask of the field at its position; Test, Patch: see Opcode
+    Word mask = 0;          ///< Load, Within, Store, Cap: mask of the field; Test, Patch: see Opcode
     Word value = 0;         ///< Test, Patch: bits; Load, Constant, Store: lower bound; Within: low; Cap: the cap
     Word span = 0;          ///< Within, Store: number of values above the lower bound
-    std::uint32_t yes = 0;  ///< next instruction
-    std::uint32_t no = 0;
+    std::uint32_t yes = 0;  ///< index of the next instruction; for a test, if the result is true
+    std::uint32_t no = 0;   ///< test: index of the next instruction if the result is false
     std::uint32_t to = 0, a = 0, b = 0, c = 0;  ///< registers; for Store, `to` is the index of the variable
     std::uint16_t word = 0;
     std::uint8_t shift = 0;
     Opcode op = Opcode::Yes;
 };
 
-/// Returns an instruction that tests if the raw value of `field` is in low..high.
+/// Returns an instruction that tests whether the value of `field` is in low..high.
 Instruction field_within(const Field& field, std::int64_t low, std::int64_t high, std::uint32_t yes, std::uint32_t no);
 
-/// Value of a register that represents an undefined term. No defined term over variables with bounded ranges has this
-/// value.
+/// Register value that represents an undefined term. No term with a defined value over variables with bounded ranges
+/// has this value.
 inline constexpr std::int64_t undefined = std::numeric_limits<std::int64_t>::min();
 
-/// Special registers, which precede the general registers. The special registers belong to code that chooses the
-/// valuations of inputs when it reads these inputs (ir/network_inputs.hpp). A bit mask represents the set of valuations
-/// that are possible for a choice. If the condition of `Choose` is true for some valuations of this set and false for
+/// Special registers, which precede the general registers. Code that chooses the valuations of inputs when it reads
+/// these inputs (ir/network_inputs.hpp) uses the special registers. A bit mask represents the set of valuations that
+/// are possible for a choice. If the condition of `Choose` is true for some valuations of this set and false for
 /// others, the set is split and the execution forks.
 struct Choices {
-    static constexpr std::uint32_t most_splits = 256;  ///< maximum number of splits of one execution
+    static constexpr std::uint32_t most_splits = 256;  ///< maximum number of times that one execution splits a set
     static constexpr std::uint32_t set(std::size_t choice) { return 1 + static_cast<std::uint32_t>(choice); }
 };
 
-/// Executions that have forked at a Choose instruction and continue with the valuations for which its condition is
-/// false. The execution that forked last continues first.
+/// A stack of suspended executions. Each of them has forked at a Choose instruction and continues with the valuations
+/// for which the condition of this instruction is false. The execution that forked last continues first.
 class Forks {
 public:
     /// Removes all executions. `below` and `registers` are the numbers of special and general registers.
@@ -91,7 +91,8 @@ public:
     bool empty() const { return places_.empty(); }
     /// Adds an execution that continues at `place`, where the special register `set` has the value `rest`.
     void push(std::uint32_t place, const Word* words, const std::int64_t* registers, std::uint32_t set, Word rest);
-    /// Removes the last execution: copies its state, and returns its next instruction.
+    /// Removes the execution that was added last. Copies its state to `words` and `registers`, and returns the index of
+    /// its next instruction.
     std::uint32_t pop(Word* words, std::int64_t* registers);
 
 private:
@@ -110,16 +111,17 @@ struct Program {
 
 enum class End { Yes, No, OutOfRange, NoValue };
 
-/// Result of an execution. `place` is the index of the final instruction, or of the instruction that caused a model
-/// error.
+/// Result of an execution. `place` is the index of the last executed instruction, which ended the execution or caused a
+/// model error.
 struct ExecutionResult {
     End end = End::No;
     std::uint32_t place = 0;
 };
-/// Executes code. `forks` receives the executions that fork; it may be null if the code has no choices.
+/// Executes code, beginning with the instruction `start`. If the execution forks, the suspended execution is added to
+/// `forks`. `forks` may be null if the code contains no Choose instruction.
 ExecutionResult run(const Program& program, std::uint32_t start, Word* words, std::int64_t* registers,
                     Forks* forks = nullptr);
-/// Executes a condition. Requires that its code does not write any word.
+/// Executes the code of a condition. Requires that the code does not write any word of the state.
 inline ExecutionResult test(const Program& program, std::uint32_t start, const Word* words, std::int64_t* registers) {
     return run(program, start, const_cast<Word*>(words), registers);
 }
@@ -129,24 +131,25 @@ class Compiler {
 public:
     Compiler(const Network& network, const Layout& layout, Program& program);
 
-    /// Compiles a Boolean term and returns its first instruction. If the term is true, execution continues at `yes`,
-    /// otherwise at `no`.
+    /// Compiles a Boolean term and returns the index of its first instruction. If the term is true, the execution
+    /// continues at `yes`, otherwise at `no`.
     std::uint32_t condition(Id<Expr> term, std::uint32_t yes, std::uint32_t no);
-    /// Compiles `target := value` and returns its first instruction. Execution continues at `next`.
+    /// Compiles `target := value` and returns the index of the first instruction. After the assignment, the execution
+    /// continues at `next`.
     std::uint32_t assignment(Id<Network::Variable> target, Id<Expr> value, std::uint32_t next);
     std::uint32_t emit(const Instruction& instruction);
 
-    /// A test (word & mask) == value that represents a complete term or an operand of a conjunction.
+    /// A test (word & mask) == value, to which a Boolean term can be compiled.
     struct Literal {
         std::uint16_t word = 0;
         Word mask = 0, value = 0;
     };
-    /// Returns the term as a single test of bits, or nullopt if this is impossible.
+    /// Returns a single test of bits that represents the term, or nullopt if this is impossible.
     std::optional<Literal> literal(Id<Expr> term) const;
-    /// After this call, generated code chooses a valuation of the variables of `choice` when it reads one of these
-    /// variables. `number` is the argument of Choices::set for this choice.
+    /// Affects the code that is generated later: when this code reads a variable of `choice`, it chooses a valuation of
+    /// all variables of `choice`. `number` is the argument of Choices::set for this choice.
     void choose(const InputChoice& choice, std::size_t number);
-    /// After this call, generated code does not choose valuations.
+    /// Ends the effect of `choose`: code that is generated later does not choose valuations.
     void choose_nothing() { chosen_.clear(); }
     bool fallible(Id<Expr> term) const { return facts_[term.index].fallible; }
 
@@ -175,10 +178,11 @@ private:
     Program& program_;
     std::vector<Facts> facts_ = {};
     struct Chosen {
-        std::uint32_t set = 0;             // register that contains the set of valuations
-        std::vector<std::int64_t> values;  // value per valuation
+        std::uint32_t set = 0;             // index of the register that contains the set of possible valuations
+        std::vector<std::int64_t> values;  // value of the variable in each valuation
     };
-    std::unordered_map<std::uint32_t, Chosen> chosen_ = {};  // chosen variables, by index
+    std::unordered_map<std::uint32_t, Chosen> chosen_ = {};  // maps the index of each variable of an input choice to
+                                                             // its data
 };
 
 }  // namespace grafverif::timed

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Property monitor: searches for single states that decide properties. One pass over the states searches for all
-// properties. The search for a property ends when it has found a state, so that decided properties cause no further
+// PropertyMonitor: searches for single states that decide properties. One pass over the states performs the searches
+// for all properties. The search for a property ends when it has found a state; a decided property causes no further
 // cost.
 #pragma once
 
@@ -18,7 +18,7 @@ public:
 
     /// Adds a search for a state in which `predicate` ends in Yes. Returns the index of the search.
     std::size_t add(std::uint32_t predicate);
-    /// Adds a search for a state in which the bit of a variable is set. If `quiescent` is not Program::yes, the
+    /// Adds a search for a state in which the bit of a Boolean variable is 1. If `quiescent` is not Program::yes, the
     /// predicate `quiescent` must also hold in the state.
     std::size_t add_bit(const Field& bit, std::uint32_t quiescent);
 
@@ -29,7 +29,7 @@ public:
     bool mark(const Machine& machine, const Word* words, Registers& registers, std::vector<Word>& marks) const;
     /// Evaluates a new state for which needs() returned true, and ends the searches that the state decides.
     void look(const Machine& machine, std::uint32_t state, const Word* words, Registers& registers);
-    /// True if each search has found a state or an undefined predicate.
+    /// True if all searches have ended: each search has found a state, or its predicate was undefined in some state.
     bool is_over() const { return predicates_.empty() && bits_.empty(); }
     /// Returns the state that the search `search` found, or `none`.
     std::uint32_t found(std::size_t search) const { return results_[search].state; }
@@ -49,7 +49,7 @@ private:
         Word mask = 0;
         std::size_t search = 0;
     };
-    struct Bits {  // bits of one word that have the same condition
+    struct Bits {  // bits of one word whose searches have the same predicate `quiescent`
         std::uint16_t word = 0;
         std::uint32_t quiescent = 0;
         Word missing = 0;

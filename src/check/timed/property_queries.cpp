@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Compiles properties to code and monitors. The code includes `at stable`. For `always` and `exactly one of`, the
-// monitor searches for a state in which Network::settled is true and the property is violated. For any other pattern,
-// an operand p is replaced by the conjunction of Network::settled and p.
+// Compiles properties to code and to searches of the property monitor. The code includes the condition of quiescence
+// (Network::settled) of a property with `at stable`. For `always` and `exactly one of`, the monitor searches for a
+// quiescent state that violates the property. For any other pattern, each operand p is replaced by the conjunction of
+// Network::settled and p.
 #include "check/timed/property_queries.hpp"
 
 #include <algorithm>
@@ -53,9 +54,9 @@ std::uint32_t PropertyQueries::quiescent_but_not(const Property& property, Id<Ex
     return property.at_stable ? machine_.compiler().condition(network_.settled, code, Program::no) : code;
 }
 
-/// Returns code that ends in Yes if none or at least two of the operands hold. The code is generated backwards,
-/// starting with the last operand. For each operand, there is code for two cases: no previous operand holds, or one
-/// previous operand holds.
+/// Returns code that ends in Yes if no operand or at least two operands hold. The code is generated backwards,
+/// beginning with the last operand. For each operand, the function generates code for two cases: no previous operand
+/// holds, or one previous operand holds.
 std::uint32_t PropertyQueries::not_exactly_one(const Property& property) {
     Compiler& compiler = machine_.compiler();
     std::uint32_t after_none = Program::yes;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Property queries. Before the search of the states, the properties of a network are compiled to code and to searches
-// of a PropertyMonitor (property_queries.cpp). After the search, verdicts.cpp computes the verdicts on the properties.
+// PropertyQueries: decides the properties of a network in a timed check. Before the exploration, the properties are
+// compiled to code and to searches of a PropertyMonitor (property_queries.cpp). After the exploration, verdicts.cpp
+// computes the verdicts.
 #pragma once
 
 #include <optional>
@@ -13,13 +14,13 @@
 
 namespace grafverif::timed {
 
-/// Returns the property `no timelock` for a model that does not declare it. Timed checks decide this property by
+/// Returns the property `no timelock` for a model that does not declare it. Timed checks also decide this property by
 /// default.
 Property undeclared_timelock(const Network& network);
 /// True if `property` is `no timelock` without `at stable`.
 bool about_time(const Property& property);
 
-/// Reason of an unknown verdict on `no timelock` in an input abstraction that has a cycle of urgent edges.
+/// Reason of the unknown verdict on `no timelock` if an input abstraction has a cycle of urgent edges.
 inline constexpr const char* endless_instants = "in the abstraction, urgent edges may follow each other without end";
 /// True if `options` select `property`.
 bool is_selected(const TimedOptions& options, const Property& property);
@@ -33,16 +34,16 @@ public:
     /// True if some selected property is `inevitable`, `leads to` or `always possible`; the verdicts on these
     /// properties depend on the edges of the graph, not only on single states.
     bool follow_edges() const;
-    /// Returns the verdicts after a search that ended for the reason `ended`.
+    /// Returns the verdicts after the exploration. `ended` is the reason why the exploration ended early, or None.
     std::vector<Verdict> answers(Graph& graph, UnknownReason ended, const std::vector<ModelError>& errors,
                                  const Limits& limits);
-    /// Returns the state that decides a property about single states, if the search has found such a state. `verdict`
-    /// is an index in the order of the verdicts.
+    /// Returns a state that decides the property of verdict number `verdict`, or nullopt if no such state was found.
+    /// The property must be about single states.
     std::optional<std::size_t> state_found(std::size_t verdict) const {
         const std::uint32_t state = monitor_.found(queries_[verdict].search);
         return state == PropertyMonitor::none ? std::nullopt : std::optional<std::size_t>(state);
     }
-    /// Returns TimedResult::paths: the path of each verdict.
+    /// Returns the value of TimedResult::paths: the path of each verdict.
     std::vector<std::vector<AbstractState>> paths(Graph& graph) const;
 
 private:
@@ -52,10 +53,11 @@ private:
     struct PropertyQuery {
         Verdict verdict = {};
         const Property* property = nullptr;
-        std::size_t search = none;  // search of the monitor for a state that decides the property (or its vacuity)
+        std::size_t search = none;  // index of the monitor search for a state that decides the property or its vacuity
         std::uint32_t p = Program::no, q = Program::no;
         bool at_stable = false;
-        std::optional<std::uint32_t> dead_state = {};  // a state from which no required state is reachable
+        std::optional<std::uint32_t> dead_state = {};  // a state from which the states that the property requires are
+                                                       // unreachable
     };
 
     std::uint32_t quiescent_and(const Property& property, Id<Expr> operand);
@@ -64,9 +66,9 @@ private:
     void query_step_states(const Property& property, const PropertyQuery& prototype);
     void compile(PropertyQuery& query);
 
-    /// Data shared by all verdicts of one search.
+    /// Data that all verdicts of one exploration share.
     struct Outcomes {
-        // Reason why no property about all states can be decided as `holds`; None if the search is complete.
+        // Reason why no property about all states can get the verdict `holds`; None if the exploration is complete.
         UnknownReason obstacle = UnknownReason::None;
         std::string reason = {};
     };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The lookup of a state costs one or two cache misses. Therefore the successors of a slice are looked up in three
-// passes: first, the root pair of each successor (see Store) is computed and its slot in the index is prefetched. Then
-// the pairs to which these slots refer are prefetched. Finally the successors are looked up.
+// Computes batches of successors. The lookup of a state costs one or two cache misses. Therefore the successors of a
+// slice are looked up in three passes. First, the root pair of each successor (see Store) is computed, and its slot in
+// the index is prefetched. Then the pairs to which these slots refer are prefetched. Finally, the successors are looked
+// up.
 #include "check/timed/successor_batch.hpp"
 
 #include <algorithm>
@@ -11,8 +12,9 @@ namespace grafverif::timed {
 
 namespace {
 
-constexpr std::size_t slice_text = 1U << 17U;  // number of words of successors at which a slice ends
-constexpr std::size_t fetched_ahead = 16;      // number of following entries whose slots are prefetched
+constexpr std::size_t slice_text = 1U << 17U;  // a slice ends when its successors have this number of words
+constexpr std::size_t fetched_ahead = 16;      // the slot of the entry that is this number of entries ahead is
+                                               // prefetched
 
 }  // namespace
 
@@ -84,7 +86,7 @@ void Slicer::add(const Word* words, std::uint32_t flags) {
     words_.insert(words_.end(), words, words + graph_.machine.layout().words);
 }
 
-/// Removes the successors that are already in the store from `new_states`, and sets all targets.
+/// Removes from `new_states` the successors that the store already contains, and sets all targets.
 void Slicer::look_up() {
     SuccessorBatch& slice = *slice_;
     const Pairs& roots = graph_.store.roots();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Batch of successors (slice): the moves of a few consecutive states. One thread computes a batch while other threads
-// compute other batches. While batches are computed, the graph is not changed. States that are not yet in the store are
-// new: a new state receives its number when the search reaches it.
+// SuccessorBatch (slice): the moves of a few consecutive states. Several threads compute different batches in parallel.
+// The graph does not change during the computation. A successor that the store does not contain is a *new state*; it
+// receives its number later, when the search reaches it.
 #pragma once
 
 #include <cstdint>
@@ -13,18 +13,18 @@
 
 namespace grafverif::timed {
 
-/// Alignment, in bytes, of data that only one thread writes. The alignment is two cache lines, because the processor
-/// also prefetches the adjacent cache line.
+/// Alignment, in bytes, of data that only one thread writes. The value is the size of two cache lines, because the
+/// processor also prefetches the adjacent cache line.
 constexpr std::size_t own_lines = 128;
 
-/// A slice of the queue of unexpanded states, with the successors of these states. Threads fill adjacent slices in
-/// parallel; therefore each slice has separate cache lines.
+/// A slice of the queue of unexpanded states, with the successors of these states. Different threads fill adjacent
+/// slices in parallel; therefore no two slices share a cache line.
 struct alignas(own_lines) SuccessorBatch {
     static constexpr std::uint32_t new_state = 1U << 31U, urgent = 1U << 30U, number = urgent - 1;
 
     struct State {
-        /// Index of the first target in `targets`: first the successors by edges and then, if time can pass, the
-        /// successor after one time unit.
+        /// Index in `targets` of the first target of the state. The targets of a state are the successors by edges and
+        /// then, if time can pass, the successor after one time unit.
         std::uint32_t first = 0;
         std::uint32_t edges = 0;
         std::uint32_t computed = 0;  ///< number of computed moves (Graph::expand)
@@ -35,39 +35,41 @@ struct alignas(own_lines) SuccessorBatch {
         bool passes = false;  ///< true if time can pass in the state
     };
     struct NewState {
-        Word root = 0;            ///< valid if `folded`
-        std::uint32_t entry = 0;  ///< index of the entry in the set of new states
-        std::uint8_t shard = 0;   ///< shard of the root
+        Word root = 0;            ///< root pair of the state; valid if `folded` is true
+        std::uint32_t entry = 0;  ///< index of the entry in NewStates
+        std::uint8_t shard = 0;   ///< shard of the root pair
         bool folded = false;
         bool needed = false;  ///< true if a property monitor needs the state
-        bool first = false;   ///< true if the state differs from all earlier new states in the block of slices
+        bool first = false;   ///< true if this is the first of several equal new states in the block of slices
     };
 
-    std::uint32_t begin = 0, end = 0;  ///< range of the expanded states
+    std::uint32_t begin = 0, end = 0;  ///< range of the states of the slice: `begin` to `end` - 1
     std::vector<State> states = {};
-    /// Numbers of states or of new states, with flags; the flag `urgent` marks a successor by an urgent edge.
+    /// Numbers of states, or indices of new states (flag `new_state`). The flag `urgent` marks a successor by an urgent
+    /// edge.
     std::vector<std::uint32_t> targets = {};
     std::vector<NewState> new_states = {};
-    /// Indices of the new states that are not folded or that a property monitor or the covering needs.
+    /// Indices of the new states whose words are stored in `words`: states that are not folded, or that a property
+    /// monitor or the covering needs.
     std::vector<std::uint32_t> kept = {};
     std::vector<Word> words = {};  ///< words of the states in `kept`, Layout::words for each state
     Links::Chunk links = {};       ///< valid after all targets have numbers
-    /// The first uncovered bounds of the slice: see Moves::stuck_bound and Moves::locked_bound.
+    /// The first uncovered bounds in the slice (see Moves::stuck_bound and Moves::locked_bound).
     std::optional<UncoveredAt> stuck_bound = {}, locked_bound = {};
     std::vector<FaultAt> faults = {};
-    bool cut = false;  ///< true if a state has too many combinations of inputs: see Moves::cut
+    bool cut = false;  ///< true if some state has too many combinations of inputs (see Moves::cut)
 
     std::size_t bytes() const;
 };
 
-/// Fills slices in one thread, and contains the buffers of this thread.
+/// Fills slices. Each thread has a separate Slicer, which contains the buffers of the thread.
 class alignas(own_lines) Slicer {
 public:
     Slicer(const Graph& graph, const PropertyMonitor& monitor, const std::vector<Field>& races)
         : graph_(graph), monitor_(monitor), races_(races) {}
 
     /// Computes the moves of the states from `begin` to `end` - 1, and stops early if a size limit is reached. Returns
-    /// the number of computed words.
+    /// the number of words of the computed successors.
     std::size_t fill(SuccessorBatch& slice, std::uint32_t begin, std::uint32_t end);
     std::size_t bytes() const { return words_.capacity() * sizeof(Word); }
 
@@ -87,7 +89,7 @@ private:
     std::vector<Word> later_ = {};
 };
 
-/// The distinct new states of several slices, partitioned by the shards of their roots. Each thread processes and
+/// The distinct new states of several slices, partitioned by the shards of their root pairs. Each thread processes and
 /// indexes one part.
 class NewStates {
 public:
@@ -103,9 +105,9 @@ public:
         std::uint32_t entry = 0;
         bool fresh = false;
     };
-    /// Returns the entry of `root` in `part`. If the part does not contain `root`, an entry is added.
+    /// Returns the entry of the root pair `root` in `part`. If the part does not contain the pair, adds an entry.
     Lookup meet(unsigned part, Word root);
-    /// Adds the states of a part that the search has reached to the index of `roots`.
+    /// Adds to the index of `roots` those states of a part that the search has reached.
     void index(unsigned part, Pairs& roots) const;
     Entry& operator[](std::uint32_t entry) {
         const auto parts = static_cast<std::uint32_t>(parts_.size());
@@ -118,7 +120,7 @@ public:
 
 private:
     struct alignas(own_lines) Shard {
-        std::vector<std::uint32_t> slots = {};  // a slot contains the index of an entry plus 1; 0 for a free slot
+        std::vector<std::uint32_t> slots = {};  // a slot contains the index of an entry plus 1; a free slot is 0
         std::vector<Entry> entries = {};
     };
     static void widen(Shard& part, std::size_t slots);

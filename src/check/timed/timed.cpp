@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks a network: compiles the network, explores its states, and evaluates the properties.
+// Timed check of a network: compiles the network, explores its states, and evaluates the properties.
 #include "check/timed/timed.hpp"
 
 #include <algorithm>
@@ -45,7 +45,7 @@ std::optional<Premises> premises(timed::Graph& graph, std::uint32_t quiescent, c
     return {};
 }
 
-/// Returns the profile, or nullopt if memory is exhausted.
+/// Returns the state profile of the graph, or nullopt if memory is exhausted.
 std::optional<StateProfile> measured(timed::Graph& graph, const TimedOptions& options, timed::Effort effort) {
     try {
         return timed::profile_of(graph, options.finest ? options.finest() : std::nullopt, effort);
@@ -108,7 +108,7 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
     if (options.premises && result.complete) result.premises = premises(graph, quiescent, limits);
     const bool is_large = !result.complete || result.states >= many_states;
     const bool explained = options.profile == ProfileFor::All || (options.profile == ProfileFor::IfLarge && is_large);
-    if (explained && result.states > (result.complete ? 0 : 1))  // no profile if the search expanded no state
+    if (explained && result.states > (result.complete ? 0 : 1))  // computes no profile if the search expanded no state
         result.profile =
             measured(graph, options, ended == UnknownReason::Stopped ? timed::Effort::Brief : timed::Effort::Full);
     if (options.each_state && result.complete && !graph.covered)

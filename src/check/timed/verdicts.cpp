@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Computes verdicts from the results of a search. A violation requires one run of integer time, which is also a run of
-// dense time. A proof that a property holds requires all runs: a complete search, a model without errors, and integer
-// time that is exact for dense time.
+// Computes the verdicts from the results of an exploration. One run of integer time, which is also a run of dense time,
+// suffices to show that a property is violated. A proof that a property holds must consider all runs. Therefore, a
+// proof requires a complete exploration, a model without errors, and that integer time gives the same verdict as dense
+// time.
 #include <algorithm>
 #include <atomic>
 #include <new>
@@ -42,8 +43,9 @@ StateSet states_of_kind(const Graph& graph, const Limits& limits, const Is& is) 
     return set;
 }
 
-/// Returns a run to `state`, from which time never passes again. The run continues by edges of processes that block
-/// delay (see continue_without_delay), because edges of other processes do not explain the timelock.
+/// Returns a run to `state`, which continues by edges without delay. Requires that time cannot pass in any state that
+/// is reachable from `state`. The continuation uses only edges of processes that block the delay (see
+/// continue_without_delay), because edges of other processes do not explain the timelock.
 Run without_time(Graph& graph, std::uint32_t state) {
     Run run = graph.run_to(state);
     if (auto states = replay(graph.machine.network(), run))
@@ -74,8 +76,8 @@ std::vector<Verdict> PropertyQueries::answers(Graph& graph, UnknownReason ended,
         if (query.verdict.outcome == Outcome::Holds) mark_vacuous(query, graph);
         verdicts.push_back(std::move(query.verdict));
     }
-    // Explanations are computed after all verdicts, because they may need time or memory that is necessary for another
-    // verdict.
+    // Explanations are computed after all verdicts, because an explanation may need time or memory that a verdict also
+    // needs.
     for (std::size_t k = 0; k < queries_.size(); ++k) report_never_again(queries_[k], graph, limits, verdicts[k]);
     return verdicts;
 }
@@ -136,8 +138,8 @@ void PropertyQueries::result_state(PropertyQuery& query, Graph& graph) const {
     if (wanted && query.verdict.outcome == Outcome::Holds) query.verdict.outcome = Outcome::Violated;
 }
 
-/// Returns the states that satisfy `predicate`. If `predicate` is undefined in some state, the result is empty and the
-/// verdict is unknown.
+/// Returns the states that satisfy `predicate`. If `predicate` is undefined in some state, returns nullopt and makes
+/// the verdict unknown.
 std::optional<StateSet> PropertyQueries::states_where(PropertyQuery& query, Graph& graph, std::uint32_t predicate,
                                                       const Limits& limits) const {
     StateSet set(graph.states());
@@ -193,8 +195,9 @@ void PropertyQueries::decide_deadlock(PropertyQuery& query, Graph& graph, const 
     holds_if_dense(query, graph, graph.stuck_bound);
 }
 
-/// In an input abstraction, urgent edges must lead to a state in which time passes for all chosen valuations of the
-/// inputs (ir/network_inputs.hpp). It is not sufficient that such a state is reachable for some valuations.
+/// Decides `no timelock` for an input abstraction. For all choices of input values, each sequence of urgent edges must
+/// lead to a state in which time passes (ir/network_inputs.hpp). It is not sufficient that such a state is reachable
+/// for some choices.
 void PropertyQueries::decide_timelock_of_abstraction(PropertyQuery& query, Graph& graph, const Limits& limits) const {
     holds_if_dense(query, graph, graph.locked_bound);
     if (query.verdict.outcome != Outcome::Holds) return;
@@ -250,7 +253,8 @@ void PropertyQueries::decide_possible(PropertyQuery& query, Graph& graph, const 
                     "for the untimed model");
 }
 
-/// Adds the note on dead transitions. The note is omitted if it needs more time or memory than is available.
+/// Adds the note on dead transitions to a violated property. Omits the note if its computation exceeds the time or
+/// memory limit.
 void PropertyQueries::report_never_again(const PropertyQuery& query, Graph& graph, const Limits& limits,
                                          Verdict& verdict) const {
     if (!query.dead_state || verdict.outcome != Outcome::Violated || outcomes_.obstacle != UnknownReason::None) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Column: a vector of data about states, indexed by the number of the state. Memory is allocated in chunks. Therefore
-// elements are never copied when the vector grows, and growth does not double the peak memory.
+// Column: a vector of data about states, indexed by the number of the state. The vector allocates memory in chunks.
+// Therefore growth never copies elements and does not double the peak memory.
 #pragma once
 
 #include <algorithm>

@@ -33,7 +33,8 @@ Covering::Covering(const Network& network, const Layout& layout, const std::vect
     }
 }
 
-/// Computes the key of a state and its inexact clock values (see covering.hpp).
+/// Computes the key of a state and its inexact clock values. (A clock value is inexact if another value of the clock
+/// simulates it; see covering.hpp.)
 void Covering::select(const Word* words) {
     std::copy_n(words, words_.size(), words_.begin());
     values_.clear();
@@ -70,8 +71,8 @@ bool Covering::is_above(const Entry& entry) const {
 }
 
 void Covering::add(std::uint32_t state) {
-    // The new state replaces the entries that it simulates, because it also simulates all states that these entries
-    // simulate.
+    // The new state replaces the entries that it simulates, because the new state also simulates all states that these
+    // entries simulate.
     std::uint32_t replaced = none;
     for (std::uint32_t* link = &lists_[key_]; *link != none;) {
         Entry& entry = entries_[*link];

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Covering: finds stored states that simulate a new state because only their clocks differ.
+// Covering: finds a stored state that simulates a new state and differs from it only in clock values. The search need
+// not store the new state.
 //
 // For each clock x, let L and U be the greatest constants in lower bounds `x >= L` and upper bounds `x <= U`. Only
-// comparisons that are possible before the next reset of x count (ir/network_clocks.hpp). A state s' simulates a state
-// s if both have the same locations and variables, and each clock x satisfies one of these conditions: s'(x) = s(x); L
-// <= s'(x) < s(x); or U < s(x) < s'(x) (Behrmann, Bouyer, Larsen, Pelanek: Lower and upper bounds in zone-based
-// abstractions of timed automata, 2006; here for integer values and closed constraints). If s' simulates s, every run
-// from s is also a run from s', because urgent edges have no clock constraints and keep the invariants of their
-// targets. Therefore, a search for single states need not store s. To find shortest runs, s is stored if the run to s'
-// is longer than the run to s.
+// comparisons that the model can evaluate before the next reset of x are considered (ir/network_clocks.hpp). A state s'
+// simulates a state s if both have the same locations and variables, and each clock x satisfies one of these
+// conditions: s'(x) = s(x); L <= s'(x) < s(x); or U < s(x) < s'(x) (Behrmann, Bouyer, Larsen, Pelanek: Lower and upper
+// bounds in zone-based abstractions of timed automata, 2006; here for integer values and closed constraints). If s'
+// simulates s, every run from s is also a run from s', because urgent edges have no clock constraints and keep the
+// invariants of their targets. Therefore, a search for single states need not store s. To find shortest runs, the
+// search still stores s if the run to s' is longer than the run to s.
 //
-// For a clock with U < L, values up to U are exact, and a greater value above U simulates a smaller value above U. For
-// all other clocks, values below L are exact, and a smaller value from L on simulates a greater value. The key of a
-// state is the state in which each inexact clock value is replaced by the least inexact value of this clock. A state
-// can only simulate states with the same key.
+// A clock value is *exact* if no other value simulates it. For a clock with U < L, the values up to U are exact; among
+// the values above U, a greater value simulates a smaller value. For all other clocks, the values below L are exact;
+// among the values from L on, a smaller value simulates a greater value. The *key* of a state is the state in which
+// each inexact clock value is replaced by the least inexact value of this clock. A state can simulate only states with
+// the same key.
 #pragma once
 
 #include <cstdint>
@@ -32,10 +34,10 @@ public:
     Covering(const Network& network, const Layout& layout, const std::vector<ProcessClocks>& clocks,
              const CoveringAblations& ablations = {});
 
-    /// True if some value of a clock simulates another value.
+    /// True if, for some clock of the network, a value simulates another value.
     bool applies() const { return !zones_.empty(); }
-    /// Returns an added state that simulates the state in `words` and for which `accepts(state)` is true, or
-    /// Store::none if there is none.
+    /// Returns an added state that simulates the state in `words` and for which `accepts(state)` is true. Returns
+    /// Store::none if no added state satisfies both conditions.
     template <class Accepts>
     std::uint32_t find(const Word* words, const Accepts& accepts) {
         select(words);
@@ -51,19 +53,20 @@ public:
     }
     /// Adds a state. Requires that the last call of `find` was for this state.
     void add(std::uint32_t state);
-    /// False if the covering has omitted so few states that it costs more than it saves.
+    /// False if, after at least 65,536 calls of `find`, less than 1/16 of the calls have found a state. The covering
+    /// then costs more than it saves.
     bool is_useful() const { return searched_ < (1U << 16U) || covered_ >= searched_ / 16; }
     std::size_t bytes() const;
 
 private:
     static constexpr std::uint32_t none = 0xFFFFFFFF;
     static constexpr std::uint32_t most_entries = 256;  // maximum number of states with the same key
-    struct Zone {                                       // the inexact values of a clock at a location
+    struct Zone {                                       // the inexact values of a clock in a location
         Field clock = {};
         Word first = 0, last = 0;
         bool greater_simulates = false;
     };
-    struct Row {  // a location of a process, as a range in zones_
+    struct Row {  // the zones of a location of a process, as a range in zones_
         std::uint32_t first = 0, last = 0;
     };
     struct Entry {
@@ -78,19 +81,20 @@ private:
 
     const Layout& layout_;
     std::vector<Zone> zones_ = {};
-    std::vector<Row> rows_ = {};                 // per location of each process with zones
-    std::vector<std::uint32_t> first_row_ = {};  // per process; `none` without zones
+    std::vector<Row> rows_ = {};                 // one row per location, for each process with zones
+    std::vector<std::uint32_t> first_row_ = {};  // per process: index of its first row in rows_; `none` if the process
+                                                 // has no zones
     Store keys_;
-    Column<std::uint32_t> lists_ = {};  // first entry of each key
+    Column<std::uint32_t> lists_ = {};  // index of the first entry of each key
     Column<Entry> entries_ = {};
     Column<std::uint16_t> stored_ = {};
-    // The state for which `find` was last called. In `values_`, a smaller number represents a clock value that
-    // simulates the clock values of greater numbers.
+    // The argument of the last call of `find`. In `values_`, each inexact clock value is encoded as a number, so that a
+    // value with a smaller number simulates a value with a greater number.
     std::vector<Word> words_ = {};
     Unfolded folded_ = {};
     std::vector<std::uint16_t> values_ = {};
     std::uint32_t key_ = 0;
-    std::uint32_t length_ = 0;  // number of entries of the key that were compared
+    std::uint32_t length_ = 0;  // number of entries that the last call of `find` compared
     std::uint64_t searched_ = 0, covered_ = 0;
 };
 

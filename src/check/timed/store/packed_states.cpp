@@ -35,7 +35,7 @@ PackedStates::Added PackedStates::add(const timed::Word* words) {
 }
 
 void PackedStates::clear() {
-    // The size of the table follows the number of states, so that frequent calls with few states are cheap.
+    // Adapts the size of the table to the number of states, so that frequent calls with few states are cheap.
     slots_.assign(std::bit_ceil(std::max<std::size_t>(2 * size_, 64)), 0);
     size_ = 0;
 }

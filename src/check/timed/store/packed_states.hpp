@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A set of packed states, numbered in the order of insertion.
+// PackedStates: a set of packed states, which are numbered in the order of insertion.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace grafverif {
 
 class PackedStates {
 public:
-    /// `words`: the number of words of each state.
+    /// Creates an empty set of states that have `words` words each.
     explicit PackedStates(std::size_t words) : words_(words) {}
 
     struct Added {
@@ -34,7 +34,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t chunk = 4096;  // number of states that are allocated together
+    static constexpr std::size_t chunk = 4096;  // number of states in one memory block
 
     /// A slot of the hash table: the number of a state plus 1, and the lower half of the hash value of the state; 0 for
     /// a free slot.

@@ -10,9 +10,10 @@ namespace grafverif::timed {
 namespace {
 
 constexpr std::size_t first_slots = 32;
-constexpr std::uint32_t pairs_fetched_ahead = 32;  // number of slots whose pairs are prefetched
-// Minimum number of bits of a slot that contain the number of a pair. Therefore a print has at most 20 bits; other bits
-// of the hash select the slot.
+constexpr std::uint32_t pairs_fetched_ahead = 32;  // `rebuild` prefetches the pair of the slot that is this number of
+                                                   // slots ahead
+// Minimum number of bits of a slot for the number of a pair. The remaining at most 20 bits of the slot contain the
+// print, which consists of bits of the hash; other bits of the hash select the slot.
 constexpr unsigned least_number_bits = 12;
 
 // The topmost bits of a hash select the shard, the lowest bits are the print, and the bits between them select the slot
@@ -88,7 +89,8 @@ std::uint32_t Pairs::append(Word pair) {
     return static_cast<std::uint32_t>(size_++);
 }
 
-/// Reserves a slot for another pair.
+/// Counts a further pair in the shard. Enlarges the shard if it has too few slots or too few bits for the number of the
+/// pair.
 void Pairs::count(Shard& shard) {
     const bool full = 5 * (shard.used + 1) > 4 * shard.slots.size();
     const std::size_t slots = full ? 2 * shard.slots.size() : shard.slots.size();
@@ -118,7 +120,7 @@ void Pairs::index(Word pair, std::uint32_t number) {
     put(shards_[shard_at(hash)], hash, number);
 }
 
-/// Packs the open chunk. Requires that the open chunk is full.
+/// Packs the open chunk, which contains the latest pairs. Requires that the open chunk is full.
 void Pairs::pack() {
     std::uint32_t lows = 0, highs = 0;
     for (std::size_t i = 0; i < chunk; ++i) {
@@ -140,8 +142,9 @@ void Pairs::pack() {
     chunk_bytes_ += bytes + sizeof(Chunk);
 }
 
-/// Rehashes the shard with `slots` slots. Each slot then has enough bits for the numbers of all pairs in the table and
-/// of further pairs: `more` pairs, or half of the present number of pairs if that is greater.
+/// Rebuilds the shard with `slots` slots. Afterwards, each slot has enough bits for the numbers of all present pairs
+/// and of further pairs. The number of further pairs is `more` or half of the present number of pairs, whichever is
+/// greater.
 void Pairs::rebuild(Shard& shard, std::size_t slots, std::size_t more) {
     Shard wider{std::vector<std::uint32_t>(slots), shard.used, 0};
     wider.number_bits =

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Pairs: a table of pairs of 32-bit numbers. The pairs are numbered in the order of insertion; equal pairs have the
-// same number. Each inner node of the tree in which states are stored (see Store) is such a table.
+// same number. The state store has such a table for each inner node of its tree (see Store).
 //
 // The pairs are stored in chunks, in the order of their numbers. A full chunk is packed: each pair of the chunk uses as
 // many bytes as the largest numbers of the chunk need. The index is split into shards by hash. When a shard is four
 // fifths full, only the size of this shard is doubled, so that the additional memory is small. A slot of the index has
-// 32 bits. It contains the number of a pair and, in the remaining bits, bits of the hash of the pair (a print). The
-// print distinguishes the pair from most other pairs without an access to the stored pairs.
+// 32 bits. The slot contains the number of a pair and, in the remaining bits, a *print*: some bits of the hash of the
+// pair. The print distinguishes the pair from most other pairs without an access to the stored pairs.
 #pragma once
 
 #include <cstdint>
@@ -38,16 +38,16 @@ public:
     /// Returns the number of the pair, and adds the pair if the table does not contain it. If memory is exhausted, the
     /// function throws and does not change the table.
     Interned intern(Word pair);
-    /// Adds a pair that is not in the table, and returns its number. `find` does not find the pair before `index` is
-    /// called.
+    /// Adds a pair and returns its number. Requires that the table does not contain the pair. `find` does not find the
+    /// pair until `index` is called for the pair.
     std::uint32_t append(Word pair);
-    // The following functions may run in several threads at the same time, if each thread accesses only the shards of
+    // Several threads may call `free_memory` and `index` at the same time, if each thread accesses only the shards of
     // its Share.
     struct Share {
         unsigned member = 0, members = 1;
     };
-    /// Reserves memory for `more` further pairs. The memory may be insufficient if unusually many of these pairs belong
-    /// to one shard.
+    /// Reserves memory for `more` further pairs. The reserved memory is insufficient if unusually many of these pairs
+    /// belong to one shard.
     void free_memory(std::size_t more, Share share);
     /// Returns the shard of the pair. Shard s belongs to the thread `s % members` (see Share).
     std::uint8_t shard_of(Word pair) const { return static_cast<std::uint8_t>(shard_at(hash(pair))); }
@@ -56,7 +56,8 @@ public:
 
     /// Returns the number of the pair, or `none` if the table does not contain the pair.
     std::uint32_t find(Word pair) const;
-    /// `prefetch` prefetches the first slot of the pair; `prefetch_met` prefetches the pair to which this slot refers.
+    /// `prefetch` loads the first slot of the pair into the cache. `prefetch_met` loads the stored pair to which this
+    /// slot refers into the cache.
     void prefetch(Word pair) const;
     void prefetch_met(Word pair) const;
 
@@ -83,8 +84,9 @@ private:
         std::uint8_t low_bits = 0, each = 0;
     };
     struct Shard {
-        std::vector<std::uint32_t> slots = {};  // a slot contains a print and number + 1; 0 if the slot is free
-        std::size_t used = 0;                   // number of used slots, including slots of appended pairs
+        std::vector<std::uint32_t> slots = {};  // a slot contains a print and the number of a pair plus 1; a free slot
+                                                // is 0
+        std::size_t used = 0;                   // number of used slots, including slots reserved for appended pairs
         unsigned number_bits = 0;
     };
 

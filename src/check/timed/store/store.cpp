@@ -8,7 +8,7 @@ namespace grafverif::timed {
 
 namespace {
 
-constexpr unsigned shard_bits = 6;  // number of bits of the index of a shard of the root table
+constexpr unsigned shard_bits = 6;  // the root table has 2^shard_bits shards
 
 }  // namespace
 
@@ -21,10 +21,10 @@ Store::Store(const Layout& layout)
     for (std::size_t i = 0; i + 1 < nodes_.size(); ++i) tables_.emplace_back(0);
 }
 
-/// Builds the subtree of the 32-bit halves [first, end). Returns the index of the root of the subtree in
+/// Builds the subtree of the 32-bit halves [first, end) of a state. Returns the index of the root of the subtree in
 /// Unfolded::numbers. The range is split at the subsystem boundary that is nearest to its middle, or in the middle if
-/// the range contains no boundary. The numbers of states of subsystems that share only time multiply; therefore each
-/// subsystem should have a separate subtree.
+/// the range contains no boundary. Each subsystem gets a separate subtree, because the numbers of states of subsystems
+/// that share only time multiply.
 std::uint32_t Store::grow(const std::vector<std::size_t>& seams, std::uint32_t first, std::uint32_t end) {
     if (end - first == 1) return first;
     const std::uint32_t middle = (first + end + 1) / 2;
@@ -51,9 +51,9 @@ void Store::take(const Word* words, Unfolded& now) const {
     }
 }
 
-/// Assigns numbers to the inner nodes except the root with `number(node, pair)`, children first, and returns the root
-/// pair. If a node has the same children as in `before`, its number is copied from `before`. The result is empty if
-/// `number` returns `none` for some pair.
+/// Assigns numbers to the inner nodes of a state except the root, children before parents, and returns the root pair.
+/// The function `number(node, pair)` determines the number of a node. If a node has the same children as in `before`,
+/// its number is copied from `before`. The result is nullopt if `number` returns `none` for some pair.
 template <class Number>
 std::optional<Word> Store::numbered(const Word* words, const Unfolded& before, Unfolded& now, Number number) const {
     take(words, now);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// State store: contains the states, numbered in the order of discovery. Each state is represented by a tree of pairs.
+// Store: contains the states of a search, numbered in the order of discovery. A tree of pairs represents each state.
 //
 // The 32-bit halves of a state are the leaves of a binary tree. Each inner node of the tree has a table with all pairs
 // of numbers that its two children have in some state. For a given state, the number of the node is the number of its
@@ -18,10 +18,10 @@
 
 namespace grafverif::timed {
 
-/// A state with the numbers of the nodes of its tree: first the leaves, then the inner nodes except the root. Children
+/// A state, and the numbers of the nodes of its tree: first the leaves, then the inner nodes except the root. Children
 /// precede their parents.
 struct Unfolded {
-    std::vector<Word> words = {};  ///< the layout.words words that represent the state
+    std::vector<Word> words = {};  ///< the packed state, with Layout::words words
     std::vector<std::uint32_t> numbers = {};
 };
 
@@ -33,13 +33,13 @@ public:
     explicit Store(const Layout& layout);
 
     /// Adds the pairs of all nodes of the state in `words` and returns its root pair. Stores the numbers of the nodes
-    /// in `now`. If a subtree is equal to the subtree of the unfolded state `before`, its number is copied.
+    /// in `now`. If a subtree is equal to the same subtree of the state `before`, the number of the subtree is copied.
     Word fold(const Word* words, const Unfolded& before, Unfolded& now);
-    /// Returns the root pair of the state in `words` if the store contains all subtrees of the state. Otherwise, the
-    /// store does not contain the state, and the result is nullopt.
+    /// Returns the root pair of the state in `words` if the store contains all subtrees of the state. Returns nullopt
+    /// otherwise; in this case, the store does not contain the state.
     std::optional<Word> root_of(const Word* words, const Unfolded& before, Unfolded& now) const;
-    /// Returns the table of the root pairs of all states. An appended state is found only after it is indexed (see
-    /// Pairs).
+    /// Returns the table of the root pairs of all states. A state that was added by Pairs::append is found only after a
+    /// call of Pairs::index.
     const Pairs& roots() const { return root_; }
     Pairs& roots() { return root_; }
     /// Returns the number of the state in `words`, or `none` if the store does not contain the state.
@@ -47,8 +47,8 @@ public:
         const std::optional<Word> root = root_of(words, {}, now);
         return root ? root_.find(*root) : none;
     }
-    /// Unfolds `state` into `unfolded`. Subtrees of the previous content of `unfolded` that have the same numbers are
-    /// reused.
+    /// Stores state number `state` and the numbers of its nodes in `unfolded`. Reuses subtrees of the previous content
+    /// of `unfolded` that have the same numbers.
     void load(std::uint32_t state, Unfolded& unfolded) const;
 
     std::size_t size() const { return root_.size(); }
@@ -70,7 +70,7 @@ private:
     std::optional<Word> numbered(const Word* words, const Unfolded& before, Unfolded& now, Number number) const;
 
     std::uint32_t words_, stored_, halves_;
-    std::vector<Node> nodes_ = {};    // children first, the root last
+    std::vector<Node> nodes_ = {};    // inner nodes: children before parents, the root last
     std::vector<Pairs> tables_ = {};  // tables of the nodes except the root
     Pairs root_;
 };
