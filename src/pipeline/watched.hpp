@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: MIT
-// Operands of properties as text.
+// SPDX-License-Identifier: MIT Converts the operands of properties to text.
 #pragma once
 
 #include <string>
