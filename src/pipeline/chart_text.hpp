@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: MIT Prepares charts for drawing, with the comments of their steps. With Notation::Text,
-// conditions have the same text as in the source file.
+// SPDX-License-Identifier: MIT
+// Prepares charts for drawing, with the comments of their steps. With Notation::Text, conditions have the same text as
+// in the source file.
 #pragma once
 
 #include "draw/chart_text.hpp"

@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: MIT Check functions: decide the properties of one model with an engine and return the
-// results as a report. A run is reported only if the interpreter can replay it.
+// SPDX-License-Identifier: MIT
+// Check functions: decide the properties of one model with an engine and return the results as a report. A run is
+// reported only if the interpreter can replay it.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: MIT Owned file descriptors and pipes. The callers run external programs that end after one
-// request (process.hpp) or answer line by line (line_process.hpp).
+// SPDX-License-Identifier: MIT
+// Owned file descriptors and pipes. The callers run external programs that end after one request (process.hpp) or
+// answer line by line (line_process.hpp).
 #pragma once
 
 #include <string>

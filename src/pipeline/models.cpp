@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT Derives Equations, Network and TransitionSystem from a Model. Only this file combines
-// the passes that derive them.
+// SPDX-License-Identifier: MIT
+// Derives Equations, Network and TransitionSystem from a Model. Only this file combines the passes that derive them.
 #include "pipeline/models.hpp"
 
 #include <algorithm>

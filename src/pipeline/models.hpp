@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT Functions that derive models and texts, for callers in grafverif itself. They are not
-// part of the public API.
+// SPDX-License-Identifier: MIT
+// Functions that derive models and texts, for callers in grafverif itself. They are not part of the public API.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT Trials of remedies: if a limit ended a check, tries other options of `check` for the
-// undecided properties.
+// SPDX-License-Identifier: MIT
+// Trials of remedies: if a limit ended a check, tries other options of `check` for the undecided properties.
 //
 // A remedy is one of: more states if their number was limited; the default engine if another engine was selected; the
 // untimed model with plant automata; grain atomic; a single property, in the grain of the check or atomic. A trial is a

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Simulator: owns a model and a simulation of this model.
+// SPDX-License-Identifier: MIT
+// Simulator: owns a model and a simulation of this model.
 #include <utility>
 
 #include "pipeline/check.hpp"

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT Describes the abstraction of an untimed model, and the consequences of its verdicts for
-// the timed loop.
+// SPDX-License-Identifier: MIT
+// Describes the abstraction of an untimed model, and the consequences of its verdicts for the timed loop.
 #pragma once
 
 #include <functional>

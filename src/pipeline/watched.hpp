@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Converts the operands of properties to text.
+// SPDX-License-Identifier: MIT
+// Converts the operands of properties to text.
 #pragma once
 
 #include <string>

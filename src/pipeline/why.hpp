@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: MIT Determines proof cores: the elements of a loop on which the proofs of its properties
-// depend. For each element, checks the loop again without this element.
+// SPDX-License-Identifier: MIT
+// Determines proof cores: the elements of a loop on which the proofs of its properties depend. For each element, checks
+// the loop again without this element.
 #pragma once
 
 #include "explain/ablation.hpp"

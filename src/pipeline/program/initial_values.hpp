@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Finds variables of a PLC program that are read before any statement assigns them.
+// SPDX-License-Identifier: MIT
+// Finds variables of a PLC program that are read before any statement assigns them.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: MIT Replays a run of the transition system of a program on the interpreter. The replay
-// confirms the run and determines the values of all variables.
+// SPDX-License-Identifier: MIT
+// Replays a run of the transition system of a program on the interpreter. The replay confirms the run and determines
+// the values of all variables.
 #pragma once
 
 #include <optional>

@@ -1,8 +1,9 @@
-// SPDX-License-Identifier: MIT Checks state properties of closed loops on recorded values. A property is violated if
-// its condition is false for a combination of recorded values that lasts for more than four times the jitter. If a
-// property reads columns whose times are from several clocks, this duration is increased by the maximum difference
-// between the offsets of two of these clocks. A combination of values that lasts for a shorter time can be an artefact
-// of the recording, and is not reported. The result assumes that no pulse of an output is missing in the recording.
+// SPDX-License-Identifier: MIT
+// Checks state properties of closed loops on recorded values. A property is violated if its condition is false for a
+// combination of recorded values that lasts for more than four times the jitter. If a property reads columns whose
+// times are from several clocks, this duration is increased by the maximum difference between the offsets of two of
+// these clocks. A combination of values that lasts for a shorter time can be an artefact of the recording, and is not
+// reported. The result assumes that no pulse of an output is missing in the recording.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Compares charts and PLC programs. The public API only compares charts.
+// SPDX-License-Identifier: MIT
+// Compares charts and PLC programs. The public API only compares charts.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT CompareSide: one of two sides of a comparison (a chart or a PLC program), with its
-// inputs and outputs.
+// SPDX-License-Identifier: MIT
+// CompareSide: one of two sides of a comparison (a chart or a PLC program), with its inputs and outputs.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: MIT Detection of a fault: determines the time after which steps and outputs of the
-// controllers show the fault. For a fault that they do not show, proposes a property that reveals the fault.
+// SPDX-License-Identifier: MIT
+// Detection of a fault: determines the time after which steps and outputs of the controllers show the fault. For a
+// fault that they do not show, proposes a property that reveals the fault.
 //
 // The networks with a fault in this file contain an announced fault (pipeline/variants/fault_model.hpp): when the fault
 // occurs, its instance is in the last location of its process for an instant. A fault is detected if this location

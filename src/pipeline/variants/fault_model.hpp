@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT Builds the model of a closed loop with faults. A fault makes an instance behave as
-// another component.
+// SPDX-License-Identifier: MIT
+// Builds the model of a closed loop with faults. A fault makes an instance behave as another component.
 //
 // The component of an instance with a fault is the union of its normal component and of the component of the fault.
 // From each location of the normal behaviour, an edge leads to the initial location of the fault. The edge has no guard

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT Checks a closed loop with faults in several passes. Each pass checks the properties that
-// are still undecided.
+// SPDX-License-Identifier: MIT
+// Checks a closed loop with faults in several passes. Each pass checks the properties that are still undecided.
 //
 // The first pass explores at most FaultsRequest::first_states states in each search. A network with faults often has
 // only a few more states than the limit above which localization is used. Therefore the second pass searches the

@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: MIT Mutation testing of a chart: determines which mutants are equivalent to the chart,
-// violate a property, or fail the test sequence of the chart.
+// SPDX-License-Identifier: MIT
+// Mutation testing of a chart: determines which mutants are equivalent to the chart, violate a property, or fail the
+// test sequence of the chart.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Parses a model again with modified texts instead of the contents of its files.
+// SPDX-License-Identifier: MIT
+// Parses a model again with modified texts instead of the contents of its files.
 #pragma once
 
 #include <map>

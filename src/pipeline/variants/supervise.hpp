@@ -1,7 +1,8 @@
-// SPDX-License-Identifier: MIT Supervisory control: adds conditions to the charts of a closed loop that enforce its
-// properties. The solution of a game on the untimed model with grain atomic (a PLC cycle is one move) determines the
-// conditions, which are inserted into the text of the charts. Before the result is reported, the modified text is
-// parsed, and two engines prove the properties.
+// SPDX-License-Identifier: MIT
+// Supervisory control: adds conditions to the charts of a closed loop that enforce its properties. The solution of a
+// game on the untimed model with grain atomic (a PLC cycle is one move) determines the conditions, which are inserted
+// into the text of the charts. Before the result is reported, the modified text is parsed, and two engines prove the
+// properties.
 #pragma once
 
 #include <optional>

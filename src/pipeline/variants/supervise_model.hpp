@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT Derives a closed loop whose charts can be restricted by permissions. `supervised` builds
-// the game from this loop.
+// SPDX-License-Identifier: MIT
+// Derives a closed loop whose charts can be restricted by permissions. `supervised` builds the game from this loop.
 #pragma once
 
 #include <optional>

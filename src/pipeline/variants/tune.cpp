@@ -1,8 +1,9 @@
-// SPDX-License-Identifier: MIT Searches a grid of constants in rounds. Each round checks, in parallel, at most one
-// network per open box of the grid: the relaxation of the box, a network with all runs of its undecided points. Then
-// the verdicts are transferred to points in a fixed order, so that the result does not depend on the number of threads.
-// If the check of a box decided a verdict, the next round checks the undecided points of the box; otherwise the box is
-// split. For a box with one point, the network of this point is checked.
+// SPDX-License-Identifier: MIT
+// Searches a grid of constants in rounds. Each round checks, in parallel, at most one network per open box of the grid:
+// the relaxation of the box, a network with all runs of its undecided points. Then the verdicts are transferred to
+// points in a fixed order, so that the result does not depend on the number of threads. If the check of a box decided a
+// verdict, the next round checks the undecided points of the box; otherwise the box is split. For a box with one point,
+// the network of this point is checked.
 #include "pipeline/variants/tune.hpp"
 
 #include <algorithm>

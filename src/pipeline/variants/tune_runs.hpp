@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT Collects the runs that violate properties at points of a grid. The player of a report
-// replays them.
+// SPDX-License-Identifier: MIT
+// Collects the runs that violate properties at points of a grid. The player of a report replays them.
 #pragma once
 
 #include <cstddef>
