@@ -13,8 +13,8 @@
 //      enabled, the leftmost transition is cleared.
 //
 // If the documentation does not define the behaviour, grafverif chooses an interpretation and reports a warning:
-//   - S and R of a Boolean variable set and reset one stored value per instance of the unit, which all charts of the instance
-//     share; while R is active, the variable is false;
+//   - S and R of a Boolean variable set and reset one stored value per instance of the unit; all charts of the instance
+//     use this value; while R is active, the variable is false;
 //   - SFCReset sets _X of the initial step and resets the stored values of S and R; exit actions are not executed, and
 //     actions in action blocks end;
 //   - if the file does not contain the settings of the chart, a variable with the name of a flag acts as this flag.
