@@ -5,9 +5,9 @@
 // only a few more states than the limit above which localization is used. Therefore the second pass searches the
 // complete network, which then needs less time than localization. The last pass has no limit on the number of states.
 //
-// The order of the first two passes is exchanged if the network is expected to have more states than the first pass
-// explores, but not more than the second pass explores. The second pass then has half of the time, and the first pass
-// follows for all undecided properties. Therefore, without a time limit, both orders decide the same properties.
+// If the network is expected to have more states than the first pass explores, but not more than the second pass
+// explores, the second pass is made first. It then has half of the time, and the first pass follows for all undecided
+// properties. Therefore, without a time limit, both orders decide the same properties.
 #pragma once
 
 #include <string>

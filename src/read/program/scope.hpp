@@ -80,8 +80,8 @@ private:
         std::unordered_map<std::uint32_t, Span> externals = {};
         std::unordered_map<std::uint32_t, Id<Unit>> actions = {};       ///< actions that statements can call
         std::map<std::string, std::uint32_t, std::less<>> stored = {};  ///< CODESYS: cells of values that S stores
-        /// Key: the words of a step or action and of a member. Value: index in the variables of the unit. This table is
-        /// separate from `variables`, because a variable may have the name of a step.
+        /// Key: name of a step or action, and name of a member. Value: index in the variables of the unit. This table
+        /// is separate from `variables`, because a variable may have the name of a step.
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> members = {};
     };
     enum class State { New, Open, Done };

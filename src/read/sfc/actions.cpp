@@ -229,8 +229,8 @@ private:
                 {continuous(draft_, act.output, condition, act.where)}};
     }
 
-    /// Returns pairs of a step with the qualifier R and an action that resets a latch of SD or SL, because R also ends
-    /// SD and SL on the same output. Reports each output on which other actions may act while the step with R is
+    /// R also ends SD and SL on the same output. Therefore, returns pairs of a step with the qualifier R and an action
+    /// that resets a latch of SD or SL. Reports each output on which other actions may act while the step with R is
     /// active, because the conversion of R does not suppress these actions.
     std::vector<std::pair<std::string, tree::StoredAction>> ended_by_resets(const std::vector<Act>& acts) {
         std::unordered_set<std::string> driven;  // outputs on which other actions may act while R is active

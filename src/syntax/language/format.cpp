@@ -65,7 +65,7 @@ private:
     std::vector<Line> lines_ = {};
     std::size_t next_ = 0;  ///< index of the next comment
     std::size_t depth_ = 0;
-    bool fresh_ = true;  ///< true at the start of a block or file, where no blank line is written
+    bool fresh_ = true;  ///< true at the start of a block or file: no blank line is written
 };
 
 bool Page::gap_at(std::uint32_t position) const { return std::ranges::binary_search(file_->gaps, position); }

@@ -209,8 +209,8 @@ Token Lexer::decimal_without_unit() {
     return broken(messages::decimal_number(here_, match_));
 }
 
-/// Returns the span of an operator of CTL or UPPAAL, such as `A[]` or `<>`, if the current token is the bracket in this
-/// operator and the operator begins a pattern. The result is invalid in all other cases.
+/// Returns the span of an operator of CTL or UPPAAL, such as `A[]` or `<>`. Conditions: the current token is the
+/// bracket in this operator, and the operator begins a pattern. The result is invalid in all other cases.
 Span Lexer::operator_of_ctl() const {
     const std::string_view brackets = std::string_view(source_->text).substr(here_.begin, 2);
     if (brackets != "[]" && brackets != "<>") return {};

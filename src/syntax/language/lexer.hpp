@@ -7,8 +7,7 @@
 // current block, or at a keyword that begins a declaration and is the first token of a line. A top-level declaration
 // (`grafcet`, ...) at the start of a line ends every open block. A declaration of a chart ends the action list of a
 // step. Therefore, a missing `}` causes only one error. If the text ends inside a block, the lexer returns the token
-// CUT_OFF before the end of the text, because a Bison parser aborts if it cannot discard the token that caused an
-// error.
+// CUT_OFF before the token END. Reason: a Bison parser aborts if it cannot discard the token that caused an error.
 #pragma once
 
 #include <atomic>

@@ -64,7 +64,7 @@ struct References {
 
     std::vector<Declaration> declarations = {};
     std::vector<Reference> references = {};
-    /// Pairs of declarations that must have the same name, because a closed loop connects inputs and outputs of
+    /// Pairs of declarations that must have the same name. Reason: a closed loop connects inputs and outputs of
     /// controllers by name, and a fault inherits arguments of its instance by the names of parameters.
     std::vector<std::pair<Span, Span>> shared = {};
 };
@@ -72,9 +72,8 @@ struct References {
 /// Returns the name of the original declaration for the name of a copy: `B` for `B[3]`.
 inline std::string_view without_indices(std::string_view name) { return name.substr(0, name.find('[')); }
 
-/// Adds declarations and references to a `References` object; does nothing without such an object. If `beyond_errors`
-/// is true, name resolution continues after errors only to record references, and its diagnostics and its result are
-/// meaningless.
+/// Adds declarations and references to a `References` object, if one is given. If `beyond_errors` is true, name
+/// resolution continues after errors only to record references, and its diagnostics and its result are meaningless.
 class Recorder {
 public:
     Recorder() = default;
