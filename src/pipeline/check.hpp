@@ -106,8 +106,8 @@ Report check_states(const SystemToCheck& check, const CheckOptions& options, con
 /// Decides selected properties about single states by localization (check/localization/localization.hpp) and input
 /// abstraction (check/inputs/inputs.hpp). Returns verdicts on the system, without runs. Requires interleaved automata:
 /// only then does the system have the same runs, up to a model error, as the network from which it was derived. If time
-/// is abstract, this applies to the network without clocks. If a model error is possible, no verdict is returned. The
-/// search takes at most a third of the remaining time, and at most 20 seconds.
+/// is abstract, the system has the runs of the network without clocks. If a model error is possible, no verdict is
+/// returned. The search takes at most a third of the remaining time, and at most 20 seconds.
 std::vector<Verdict> decided_by_abstractions(const SystemToCheck& check, const CheckOptions& options,
                                              const LocalizationLimits& limits = {.whole = 1U << 15U,
                                                                                  .local = 1U << 18U});

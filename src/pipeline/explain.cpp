@@ -184,8 +184,9 @@ bool is_about(const TransitionSystem& system, const PropertyResult& answer, Id<T
 /// Returns a term that is true in the states in which a transition is cleared. If the variable `firing` is not stored
 /// in states, returns the constant false.
 Id<Expr> clearing(Network& network, Id<Network::Variable> firing) {
-    // The value of a scratch variable is computed from the state before the edge and is not stored. The candidate terms
-    // are evaluated in the same state before the edge; therefore they suffice without the scratch variable.
+    // The value of a scratch variable is computed from the state before the edge and is not stored. The conjuncts of
+    // the condition, which are the other operands in the property, are evaluated in the same state and suffice without
+    // the scratch variable.
     return network.variables[firing].scratch ? network.exprs.constant(false)
                                              : network.exprs.leaf(Op::Variable, firing.index);
 }

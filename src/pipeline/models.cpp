@@ -170,7 +170,7 @@ std::optional<TransitionSystem> system_with_probes(const Model& model, Id<Closed
 AbstractionTranslator translator_of_abstractions(const Model& model, Id<ClosedLoop> id) {
     return [&model, id, equations = std::optional<std::vector<Equations>>{}](
                const Network& abstraction) mutable -> std::optional<TransitionSystem> {
-        Diagnostics known;  // the network exists, so errors are impossible
+        Diagnostics known;  // no errors can occur, because the network exists
         if (!equations) equations = equations_of_controllers(model, model.loops[id], known);
         if (!equations) return {};
         return schedule_abstraction(model, model.loops[id], *equations, abstraction);

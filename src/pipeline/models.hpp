@@ -22,7 +22,8 @@ namespace grafverif {
 /// context. `reach` and `folders` must outlive the context.
 ReadContext context_of(const Reach& reach, const std::vector<std::string>& folders, bool lossy);
 
-/// Returns the same network as the public network_of, but without the corrections of the method that `options` disable.
+/// Returns the same network as the public network_of, but without those corrections of the published method that
+/// `options` disable.
 std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, const ComposeOptions& options,
                                   Diagnostics& diagnostics);
 

@@ -17,7 +17,7 @@
 
 namespace grafverif {
 
-/// The check that a limit ended.
+/// A check that ended because a limit was reached.
 struct LimitedCheck {
     const Model& model;
     Id<ClosedLoop> loop = {};

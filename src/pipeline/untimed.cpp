@@ -21,7 +21,7 @@ bool reads_free_variable(const TransitionSystem& system, Id<Expr> term) {
 }
 
 /// True if the property reads an observer (an automaton that monitors a property). A verdict on the property does not
-/// apply to another model, because the observer changes with each step of this model.
+/// apply to another model, because the observer reacts to each step of this model, and another model has other steps.
 bool reads_observer(const TransitionSystem& system, const Property& property) {
     const Table<TransitionSystem::Symbol>& symbols = system.modules[system.main].symbols;
     return std::ranges::any_of(property.operands, [&](Id<Expr> operand) {

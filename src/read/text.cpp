@@ -205,7 +205,7 @@ void read_component(ReadState& reading, const tree::File& file, const tree::Comp
 }
 
 /// Reads charts and components first, because loops refer to them independently of the order of declaration. Charts
-/// with instances of other charts are omitted.
+/// with instances of other charts are read later.
 void read_parts(ReadState& reading, const tree::File& file) {
     for (const tree::Declaration& declaration : file.declarations) {
         std::visit(overloaded{
@@ -228,8 +228,7 @@ void read_charts_with_instances(ReadState& reading, const tree::File& file) {
             read_chart(reading, file, *chart);
 }
 
-/// Adds the component `name` from the component library if the library defines this component and the input does not
-/// define it.
+/// Adds the component `name` from the component library, if the library defines it and the input does not.
 void take_from_library(ReadState& reading, const std::string& name) {
     const LibraryEntry* const entry = library_entry(reading, name);
     if (entry == nullptr || reading.components.contains(name)) return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // read/text: reads a file of any format (see formats) with its includes to a Model. Files are read only through
-// ReadContext::load, and each file is read once. A component of the component library is added if a closed loop refers
-// to it and the input does not define it.
+// ReadContext::load, and each file is read once. A library component is added if a closed loop refers to it and the
+// input does not define it.
 #pragma once
 
 #include <atomic>

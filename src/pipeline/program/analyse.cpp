@@ -481,7 +481,7 @@ private:
     Id<Expr> fault_ = {};  ///< condition: a run-time fault occurs
     bool fault_is_open_ = false;
     std::map<Id<Expr>, std::size_t> goals_ = {};
-    std::vector<Answer> answers_ = {};  ///< the answer for each goal
+    std::vector<Answer> answers_ = {};  ///< for each goal: is the event possible?
     std::set<std::string> idle_ = {};   ///< name prefixes of instances that are never called
     Id<Program::Unit> unit_ = {};
     bool reporting_ = false;

@@ -12,7 +12,7 @@
 
 namespace grafverif {
 
-/// Largest maximum number of evolutions that is tried if ProofOptions::max_evolutions is empty.
+/// Last value that is tried for the maximum number of evolutions if ProofOptions::max_evolutions is empty.
 inline constexpr std::uint32_t most_proved_evolutions = 128;
 
 struct ProofOptions {

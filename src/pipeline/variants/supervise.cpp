@@ -107,8 +107,8 @@ private:
         return controllers.size() > 1 ? model_.charts[controllers[id].chart].name + "." + name : name;
     }
 
-    /// Checks in the timed loop without conditions the properties that the untimed model without conditions violates.
-    /// These properties are the elements of `made_.kept` for which `violated` is true.
+    /// Checks those properties for the timed loop without conditions that the untimed model without conditions
+    /// violates. These properties are the elements of `made_.kept` for which `violated` is true.
     void check_timed_without(const std::vector<bool>& violated) {
         std::vector<std::string> names;
         for (std::size_t index = 0; index < violated.size(); ++index)

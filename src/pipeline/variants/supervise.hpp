@@ -49,8 +49,8 @@ struct Supervised {
     Supervisor::Permissiveness claim = Supervisor::Permissiveness::Least;
     std::vector<std::string> hidden = {}, traded = {};  ///< names of transitions and outputs; see Supervisor
     std::vector<ChartCondition> conditions = {};
-    /// Transitions that are never cleared, and outputs that are never set, because their conditions are never true.
-    /// With such transitions or outputs, the conditions are valid but not useful.
+    /// Transitions that are never cleared, and outputs that are never set, because their conditions are never true. If
+    /// one of these lists is not empty, the conditions are valid but not useful.
     std::vector<std::string> disabled_transitions = {}, disabled_outputs = {};
     /// Variables of steps that are active in some reachable state without the conditions, but in no reachable state
     /// with the conditions.

@@ -367,7 +367,7 @@ private:
                     all.insert(point);
                 }
         });
-        if (all.size() < 3) return {};  // separate checks of all points need at most one check more
+        if (all.size() < 3) return {};  // for one or two points, a relaxation saves at most one check
         std::erase_if(by_row, [&](const auto& row) {
             return std::ranges::any_of(all, [&](std::size_t point) {
                 return agreement(row.first, point) != agreement(row.first, *all.begin());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The networks of all points of a grid, as members of families (ir/network_family.hpp).
+// Reads and stores the networks of all points of a grid. The networks are members of families (ir/network_family.hpp).
 #pragma once
 
 #include <functional>

@@ -66,8 +66,9 @@ std::uint32_t Reader::add_cells(Id<Unit> id, std::string shown, Id<Type> type, S
     return unit.variables.back().offset;
 }
 
-/// Adds the variable of a step or an action. Statements of the program can access its two members `members`. A step may
-/// have the same name as an elementary variable; an action with the name of a variable is an error.
+/// Adds the variable of a step or an action. Statements of the program can access the two members of the variable,
+/// whose names are `members`. A step may have the same name as an elementary variable; an action with the name of a
+/// variable is an error.
 std::uint32_t Reader::add_cells(Id<Unit> id, st::Name name, std::array<std::string_view, 2> members, Id<Type> type) {
     Scope& scope = scopes_[id.index];
     const auto old = scope.variables.find(name.word.index);

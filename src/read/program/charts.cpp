@@ -26,8 +26,8 @@ struct Qualifier {
     std::string_view name = {};
     bool timed = false;
     std::string_view variables = {}, statements = {};
-    std::string_view value = {};    ///< term that contributes to Q
-    std::string_view trigger = {};  ///< term that contributes only to A
+    std::string_view value = {};    ///< term that makes Q (and A) true
+    std::string_view trigger = {};  ///< term that makes A true, but not Q
 };
 constexpr std::array qualifiers = {
     Qualifier{"N", false, "", "", "N", ""},

@@ -76,7 +76,7 @@ private:
     };
     struct Scope {
         std::unordered_map<std::uint32_t, std::uint32_t> variables =
-            {};  ///< word -> index in the variables of the unit
+            {};  ///< for each name: index in the variables of the unit
         std::unordered_map<std::uint32_t, Span> externals = {};
         std::unordered_map<std::uint32_t, Id<Unit>> actions = {};       ///< actions that statements can call
         std::map<std::string, std::uint32_t, std::less<>> stored = {};  ///< CODESYS: cells of values that S stores
@@ -233,7 +233,7 @@ private:
     std::unordered_map<std::uint32_t, std::size_t> units_ = {};  ///< for each name: index of the unit
     std::vector<Id<Unit>> declared_ = {};                        ///< for each unit of the file: its unit in the program
     std::vector<State> states_ = {};
-    std::unordered_map<std::uint32_t, Id<Type>> types_ = {};                 ///< word -> type
+    std::unordered_map<std::uint32_t, Id<Type>> types_ = {};                 ///< types by name
     std::unordered_map<std::uint32_t, std::size_t> type_declarations_ = {};  ///< for each name: first declaration
     std::size_t type_depth_ = 0;           ///< number of types whose declarations are being read
     std::vector<State> type_states_ = {};  ///< for each type declaration of the file

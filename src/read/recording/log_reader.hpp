@@ -4,7 +4,7 @@
 //
 //   CSV         column names, then one row per sample: the time, and a value or nothing (unchanged) per column. The
 //               separator is `;`, a tab or `,`
-//   JSON lines  `{`: one object per line, with the member `time` and values of any of the variables of the first line
+//   JSON lines  `{`: one object per line, with the member `time` and values of some variables of the first line
 //   VCD         `$`: value change dump (IEEE 1364), Boolean and integer variables
 //
 // A time is in seconds (`12.25`) or has a unit (`us`, `ms`, `s`, `min`); in VCD, it has the unit of the time scale.

@@ -117,7 +117,7 @@ struct Variables {
 struct Constraint {
     Id<Expr> condition = {};
     Span where = {};
-    std::uint32_t copy = 0;  ///< as in Name
+    std::uint32_t copy = 0;  ///< see Name::copy
 };
 
 /// An assignment `target := value`.

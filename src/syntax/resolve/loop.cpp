@@ -295,7 +295,7 @@ void resolve_queries(LoopScope& scope, const tree::ClosedLoop& written) {
                        [](const tree::Constraint&) {},
                        [](const tree::Observer&) {},
                        [&](const tree::Schedule& chosen) { resolve_schedule(scope, chosen); },
-                       [](const tree::ReplicatedLoopItems&) {},  // expanded before
+                       [](const tree::ReplicatedLoopItems&) {},  // already expanded
                        [&](const tree::Accept& accept) {
                            scope.diagnostics.add(messages::not_yet(accept.where, "`accept` outside a chart"));
                        },

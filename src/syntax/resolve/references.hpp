@@ -2,9 +2,9 @@
 // References: the declarations of names and, for each other occurrence of a name, the declaration that the name
 // denotes. Name resolution records references on request, and can continue after errors to record more of them.
 //
-// The position of its name identifies a declaration. Therefore a declaration that name resolution expands to several
-// elements is recorded once, and all references to these elements refer to this declaration. If several declarations
-// have the same name (an error), each declaration is recorded, and references refer to the first.
+// A declaration is identified by the position of its name. Therefore a declaration that name resolution expands to
+// several elements is recorded once, and all references to these elements refer to this declaration. If several
+// declarations have the same name (an error), each declaration is recorded, and references refer to the first.
 #pragma once
 
 #include <algorithm>
@@ -57,7 +57,7 @@ struct References {
         std::string text = {};  ///< text in one line; if empty, the source text is used
     };
     struct Reference {
-        Span where = {};        ///< position of the occurrence; the `X` of a step variable `X2` precedes the name
+        Span where = {};        ///< position of the occurrence; for a step variable `X2`, it includes the `X`
         Span declaration = {};  ///< position of the declared name
         bool writes = false;    ///< true if the occurrence is the target of an action, assignment or output
     };

@@ -82,7 +82,7 @@ void declare_items(ChartScope& scope, const std::vector<tree::ChartItem>& items,
                            all.transitions.push_back({&transition, partial});
                        },
                        [&](const tree::Partial& inner) { declare_partial(scope, inner, all); },
-                       [](const tree::ReplicatedChartItems&) {},  // expanded before
+                       [](const tree::ReplicatedChartItems&) {},  // already expanded
                    },
                    item);
     }

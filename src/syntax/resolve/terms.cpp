@@ -33,7 +33,7 @@ Op ir_op(tree::Op op) {
     case tree::Op::In: return Op::Variable;
     case tree::Op::All:
     case tree::Op::Any:
-    case tree::Op::Each: break;  // expanded before
+    case tree::Op::Each: break;  // already expanded
     case tree::Op::Not: return Op::Not;
     case tree::Op::Rise: return Op::Rise;
     case tree::Op::Fall: return Op::Fall;
@@ -131,7 +131,7 @@ Term Terms::resolve(Id<tree::Expr> id) {
     case tree::Op::In: return place(node);
     case tree::Op::All:
     case tree::Op::Any:
-    case tree::Op::Each: break;  // expanded before
+    case tree::Op::Each: break;  // already expanded
     case tree::Op::Not: return boolean_operand(node, Op::Not);
     case tree::Op::Rise: return boolean_operand(node, Op::Rise);
     case tree::Op::Fall: return boolean_operand(node, Op::Fall);

@@ -128,7 +128,7 @@ struct Variable {
     Type type = {};
     Id<Expr> initial = {};
     std::string address = {};  ///< `%IX0.0`, or empty
-    std::string comment = {};  ///< plain text
+    std::string comment = {};  ///< text without delimiters
     Span where = {};
 };
 
