@@ -22,7 +22,7 @@ struct ChartAction {
     bool variable = false;                                        ///< true if `name` is a Boolean variable
     st::Block body = {};                                          ///< the statements of an action
     std::map<std::string, std::vector<Id<st::Word>>> steps = {};  ///< for each qualifier: steps with an action block
-    Id<st::Expr> time = {};                                       ///< duration; invalid without a duration, or if
+    Id<st::Expr> time = {};                                       ///< duration; invalid if the action has none, or if
                                                                   ///< `control` contains the durations
     /// If the action has several constant durations: for each duration, the steps that select it through the inputs
     /// `TIME_1`, `TIME_2`, ... of `control`.

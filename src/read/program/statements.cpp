@@ -30,7 +30,7 @@ void Reader::statement(Id<st::Statement> id, Program::Body& body) {
     case st::StatementKind::Assign: {
         const auto cell = target(from.target);
         if (cell && program.types[cell->type].kind == Type::Kind::Unsupported) {
-            const st::Op op = file_->exprs[from.value].op;  // a literal of an unsupported type has no effect
+            const st::Op op = file_->exprs[from.value].op;  // a literal is permitted: no statement can read it
             if (op != st::Op::Other)
                 reject(from.where, "a variable of the type `" + program.types[cell->type].name + "`",
                        "use BOOL, TIME or an integer of at most 32 bits");

@@ -2,9 +2,10 @@
 // Prints location automata, Mealy machines and test sequences as plain text and JSON (for test sequences as CSV, see
 // test_csv.hpp).
 //
-// AutomatonCounts contains the numbers of locations and evolutions, including INIT (the location before power-on) and
-// its outgoing evolutions. `unstable` is the number of pairs of a location and an input combination from which the
-// chart reaches no stable situation. `unstable_from_init` is the number of these pairs for INIT.
+// AutomatonCounts contains the numbers of locations and evolutions, including INIT (the controller after power-on,
+// before its first cycle) and its outgoing evolutions. `unstable` is the number of pairs of a location and an input
+// combination from which the chart reaches no stable situation. `unstable_from_init` is the number of these pairs for
+// INIT.
 #pragma once
 
 #include <iosfwd>
