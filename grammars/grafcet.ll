@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Tokens of the .grafcet language. This file defines the syntax of the tokens; syntax/language/lexer computes their
-   values. Lexical errors are reported immediately. Then, the parser resumes at the next declaration. */
+   values. The lexer reports a lexical error immediately, and the parser then resumes at the next declaration. */
 %option reentrant noyywrap nodefault batch never-interactive 8bit nounput noinput nounistd
 %option prefix="grafcet_"
 
@@ -14,7 +14,7 @@ using Kind = grafverif::tree::Parser::token;
 // NOLINTBEGIN
 #define YY_DECL grafverif::tree::Parser::symbol_type grafcet_scan(grafverif::tree::Lexer& lexer, yyscan_t yyscanner)
 #define YY_USER_ACTION lexer.advance({yytext, static_cast<std::size_t>(yyleng)});
-#define YY_FATAL_ERROR(message) throw std::bad_alloc()   /* the only possible error: memory allocation fails */
+#define YY_FATAL_ERROR(message) throw std::bad_alloc()   /* only a failed memory allocation causes it */
 // NOLINTEND
 %}
 

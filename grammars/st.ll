@@ -15,7 +15,7 @@ using Section = grafverif::st::Section;
 // NOLINTBEGIN
 #define YY_DECL grafverif::st::Parser::symbol_type st_scan(grafverif::st::Lexer& lexer, yyscan_t yyscanner)
 #define YY_USER_ACTION lexer.advance(static_cast<std::size_t>(yyleng));
-#define YY_FATAL_ERROR(message) throw std::bad_alloc()   /* the only possible error: memory allocation fails */
+#define YY_FATAL_ERROR(message) throw std::bad_alloc()   /* only a failed memory allocation causes it */
 // NOLINTEND
 #define MATCH std::string_view(yytext, static_cast<std::size_t>(yyleng))
 %}

@@ -21,7 +21,8 @@ struct WrittenStep {
     std::uint32_t name = 0;  ///< offset of the name of the step, as in Chart::Step::origin
 };
 
-/// The source texts of expressions. The key of a text is the offset at which the element with the expression starts.
+/// The source texts of the expressions of a chart. The key of a text is the offset in the source at which the
+/// transition or action with the expression starts.
 struct SourceTexts {
     std::map<std::uint32_t, std::string> conditions = {}, values = {}, events = {};
     std::vector<WrittenStep> steps = {};
@@ -79,7 +80,7 @@ std::string words_of(std::string_view comment) {
 }
 
 /// Returns, for each step, the comment at the end of the first or last line of the step. The key is the offset of the
-/// step's name.
+/// step's name in the source.
 std::map<std::uint32_t, std::string> comments_of(const tree::File& file, std::string_view text,
                                                  std::vector<WrittenStep> steps) {
     const auto begin = [](const WrittenStep& step) { return step.where.begin; };
@@ -105,7 +106,7 @@ std::vector<std::string> texts_of(const Elements& elements, const std::map<std::
     std::vector<std::string> texts;
     for (const auto& element : elements) {
         const auto known = written.find(element.origin.begin);
-        const bool elsewhere = element.origin.source != source;  // in an instance of a chart of another file
+        const bool elsewhere = element.origin.source != source;  // true for an element from a chart of another file
         texts.push_back(elsewhere || known == written.end() ? std::string() : known->second);
     }
     return texts;
@@ -121,7 +122,7 @@ ChartText text_of_program(const Chart& drawn) {
     return text;
 }
 
-/// Returns the texts of a chart. `file` is the tree of its source, which has the text `text`.
+/// Returns the texts of a chart. `file` is the syntax tree of its source, and `text` is the text of this source.
 ChartText text_in(const Chart& chart, const tree::File& file, std::string_view text) {
     SourceTexts written;
     for (const tree::Declaration& declaration : file.declarations)
@@ -139,7 +140,7 @@ ChartText text_in(const Chart& chart, const tree::File& file, std::string_view t
 
 ChartText text_of(const Model& model, Id<Chart> id, const Sources& sources) {
     const Chart& chart = model.charts[id];
-    if (!chart.instance_of.empty()) return {};  // its names are those of the instance
+    if (!chart.instance_of.empty()) return {};  // an instance has other names than its source
     if (!sources.contains(chart.origin.source)) return {};
     Sources copy;  // `read_any` may modify a source, so it receives a copy
     Diagnostics known;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Checks: decide the properties of one model with an engine and return the results as a report. A run is reported only
-// if the interpreter can replay it.
+// Check functions: decide the properties of one model with an engine and return the results as a report. A run is
+// reported only if the interpreter can replay it.
 #pragma once
 
 #include <functional>
@@ -26,21 +26,21 @@ namespace grafverif {
 /// (move 7)`. `what` names the trace.
 std::string replay_failure(std::string_view what, const Disagreement& disagreement);
 
-/// Returns the names of the properties that can be selected. Properties that the model cannot express are included and
-/// are reported as unknown.
+/// Returns the names of the properties that a user can select. The names include properties that the model cannot
+/// express; their verdict is unknown.
 std::vector<std::string> property_names(const Network& network);
 std::vector<std::string> property_names(const TransitionSystem& system);
 
-/// True if `known` contains each of `names`. For each name that `known` does not contain, an error that suggests a
-/// similar name is added.
+/// True if `known` contains each of `names`. For each name that `known` does not contain, adds an error that suggests a
+/// similar name.
 bool all_known(const std::vector<std::string>& names, const std::vector<std::string>& known, Diagnostics& diagnostics);
 
-/// A closed loop to check, with the charts of its controllers, in order.
+/// A closed loop to check, with the charts of its controllers in the order of the controllers.
 struct LoopToCheck {
     const Network& network;
     std::vector<const Chart*> charts = {};
     bool disabled_corrections = false;  ///< true if runs of the network intentionally differ from runs of its charts
-    /// Returns the duration that determines the time unit; called only for a state profile.
+    /// Returns the declared duration that determines the time unit; called only for a state profile.
     std::function<std::optional<StateProfile::Finest>()> finest = {};
     StateProver prove = {};  ///< decides properties in abstractions of `network`; may be empty
 };
@@ -69,7 +69,7 @@ public:
             add(std::move(found.verdicts[i]), std::move(found.runs[i]));
         add_omitted();
     }
-    /// Adds the properties that the system cannot express, at their positions among the properties.
+    /// Adds the properties that the system cannot express, so that the results are in the order of declaration.
     void add_omitted();
 
     Report report() &&;
@@ -90,8 +90,8 @@ std::vector<std::string> requested_names(const TransitionSystem& system, const s
 
 Report check(const SystemToCheck& check, const CheckOptions& options);
 std::string words_of(const SymbolicProgress& now);
-/// Options for checking properties about states: an embedded engine on circuits, or a search procedure (`reach`) that
-/// replaces it.
+/// Options for checking properties about states, with an embedded engine on circuits (PDR or BMC) or with an external
+/// search procedure (`reach`).
 struct StateSearch {
     std::string name = "pdr";
     decltype(PdrOptions::reach) reach = {};
@@ -105,26 +105,26 @@ Report check_states(const SystemToCheck& check, const CheckOptions& options, con
 
 /// Decides selected properties about single states by localization (check/localization/localization.hpp) and input
 /// abstraction (check/inputs/inputs.hpp). Returns verdicts on the system, without runs. Requires interleaved automata:
-/// the system then has the same runs, up to a model error, as the network from which it was derived (without clocks if
-/// time is abstract). If a model error is possible, no verdict is returned. The search takes at most a third of the
-/// remaining time, and at most 20 seconds.
+/// only then does the system have the same runs, up to a model error, as the network from which it was derived. If time
+/// is abstract, the system has the runs of the network without clocks. If a model error is possible, no verdict is
+/// returned. The search takes at most a third of the remaining time, and at most 20 seconds.
 std::vector<Verdict> decided_by_abstractions(const SystemToCheck& check, const CheckOptions& options,
                                              const LocalizationLimits& limits = {.whole = 1U << 15U,
                                                                                  .local = 1U << 18U});
 
 /// Checks with the symbolic engine, and also with localization, input abstraction, PDR and BMC if the symbolic engine
-/// needs a long time. `alone` is the number of operation steps that the symbolic engine first executes alone (see
+/// needs a long time. The symbolic engine first runs alone for `alone` steps of decision-diagram operations (see
 /// PortfolioOptions); the default takes about a second.
 Report check_together(const SystemToCheck& check, const CheckOptions& options, std::uint64_t alone = 50'000'000);
 
-/// Checks the implicit properties of a chart without a loop; `decide` decides them. Under stability search, the search
-/// of `analyse` also decides whether the chart becomes stable, because no engine decides this property. The result is
-/// empty after an error.
+/// Checks the implicit properties of a chart that is not in a loop. `decide` checks the reachability of the steps.
+/// Under stability search, the exploration of `analyse` decides whether the chart becomes stable, because no engine
+/// checks this property. The result is empty after an error.
 std::optional<Report> check_chart(const Model& model, Id<Chart> chart, const ModelOptions& how,
                                   const CheckOptions& options, Diagnostics& diagnostics,
                                   const std::function<std::optional<Report>(const SystemToCheck& check)>& decide);
 
-/// Adds the implicit properties of a chart without a loop: each step is reachable (`reachable.X2`).
+/// Adds the implicit properties of a chart that is not in a loop: each step is reachable (for example, `reachable.X2`).
 void query_steps(TransitionSystem& system);
 
 Analysis analysis_of(const Chart& chart, const Equations& equations, AnalyseOptions options, const Limits& limits);

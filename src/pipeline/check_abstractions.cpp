@@ -19,7 +19,7 @@ namespace grafverif {
 namespace {
 
 /// Returns the time at which localization and input abstraction must end: after a third of the time until the deadline,
-/// and after at most 20 s. The other engines use the time after that.
+/// and after at most 20 s. The other engines use the remaining time.
 std::chrono::steady_clock::time_point end_of_abstractions(
     std::optional<std::chrono::steady_clock::time_point> deadline) {
     constexpr std::chrono::seconds most(20);
@@ -27,8 +27,8 @@ std::chrono::steady_clock::time_point end_of_abstractions(
     return deadline ? std::min(now + most, now + (*deadline - now) / 3) : now + most;
 }
 
-/// Uses input abstraction to decide properties that are undecided in `result`. The search follows runs of an
-/// abstraction for only 1000 states, because only verdicts that need no run are used.
+/// Uses input abstraction to decide properties that are undecided in `result`. Only verdicts that are proved without a
+/// run are used. Therefore the search for the concrete runs of an abstract run ends after 1000 states.
 void decide_by_inputs(const Network& network, const TimedOptions& options, TimedResult& result) {
     constexpr std::size_t followed = 1000;
     const Observe nothing = std::identity{};
@@ -73,8 +73,8 @@ std::vector<Verdict> decided_by_abstractions(const SystemToCheck& check, const C
         timed.properties.push_back(property.name);
     }
     if (requested.empty()) return {};
-    // Removes all other properties: each search would decide a declared `no timelock`, although its verdict is not
-    // used.
+    // Removes all properties that are not requested. Otherwise each search would also decide a declared `no timelock`,
+    // and its verdict would not be used.
     for (const Property& property : std::exchange(network.properties, {}))
         if (requested.contains(property.name)) network.properties.add(property);
     // Searches the complete network only briefly, because other engines search it completely.

@@ -35,8 +35,8 @@ namespace grafverif {
 
 namespace {
 
-/// Executes all steps of several searches; the first search explores the loop without observers. Returns, for each
-/// search, the number of states that all other searches had explored when the last step of this search began.
+/// Runs several searches alternately; the first search explores the loop without observers. Returns, for each search,
+/// the number of states that all other searches had explored when the last step of this search began.
 std::vector<std::uint64_t> run(std::deque<StagedSearch*> searches, const Limits& limits) {
     const Deadline& deadline = limits.deadline;
     std::vector<std::uint64_t> earlier(searches.size(), 0);
@@ -63,8 +63,8 @@ std::vector<std::uint64_t> run(std::deque<StagedSearch*> searches, const Limits&
             return !again;
         });
     };
-    // A search can use the time that earlier searches did not use. Therefore the search of the loop without observers,
-    // which usually decides the most properties, runs last.
+    // In each round, a search can use the time that earlier searches of the round did not use. Therefore the search of
+    // the loop without observers, which usually decides the most properties, runs last in the round.
     std::ranges::reverse(open);
     for (const std::uint64_t states : search_rounds) refine(states);
     while (!open.empty() && !is_over(abstract, limits.stop)) refine(std::ranges::max(search_rounds));
@@ -126,8 +126,8 @@ public:
     }
 
 private:
-    /// Returns a function that decides properties of a network that is similar to the checked one. The result is empty
-    /// if the checked network has so many states that such a check may take long.
+    /// Returns a function that checks properties of a network similar to the checked network. The result is empty if
+    /// the checked network has so many states that another check may take a long time.
     PropertyChecker again(const TimedResult& result, const Limits& limits) const {
         if (result.states >= many_states) return {};
         return [this, limits](const Network& network, std::vector<std::string> names) {
@@ -139,7 +139,8 @@ private:
         };
     }
 
-    /// True if the network contains an observer. The properties of such a network are not those of the closed loop.
+    /// True if the network contains an observer (an automaton that monitors a property). The properties of a network
+    /// with an observer differ from the properties of the closed loop.
     bool is_watched() const {
         return std::ranges::find(network_.processes, Network::ProcessKind::Observer, &Network::Process::kind) !=
                network_.processes.end();
@@ -244,7 +245,8 @@ void take(Report&& found, std::uint64_t earlier, Report& report) {
             report.error_traces.push_back(std::move(breakdown));
 }
 
-/// Sorts the results in the order of the properties of the closed loop. Results for undeclared properties come last.
+/// Sorts the results in the order in which the closed loop declares the properties. Results for undeclared properties
+/// come last.
 void put_in_order(const Network& network, std::vector<PropertyResult>& answers) {
     for (PropertyResult& answer : answers) {
         if (!answer.verdict.declared || !answer.verdict.about.valid()) continue;
@@ -275,7 +277,7 @@ Report checked(const LoopToCheck& loop, const CheckOptions& options, bool explai
     const LoopToCheck unwatched{alone, loop.charts, loop.disabled_corrections, loop.finest, loop.prove};
     const Observe nothing = std::identity{};
     StagedSearch search(unwatched, nothing, alone, rest);
-    // If all requested properties have observers, a timelock only causes a note.
+    // If all requested properties have observers, this search can only add a note about a timelock.
     if (only_watched) search.make_brief();
     std::deque<StagedSearch*> searches{&search};
     std::deque<WatchedCheck> checks;

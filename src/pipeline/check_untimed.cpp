@@ -170,8 +170,8 @@ void query_steps(TransitionSystem& system) {
 
 namespace {
 
-/// Name of an implicit property of a chart under stability search: for all inputs, the situation becomes stable. The
-/// search of `analyse` for findings with the code `total-instability` decides this property.
+/// Name of an implicit property of a chart under stability search: the situation becomes stable for all inputs. The
+/// exploration of `analyse` that searches for `total-instability` decides this property.
 constexpr const char* stabilises = "stabilises";
 
 void add_stabilises(const Chart& chart, const Equations& equations, const Limits& limits, Report& report) {

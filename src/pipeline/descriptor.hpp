@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Owned file descriptors and pipes. They are used for external programs that run once (process.hpp) or respond line by
-// line (line_process.hpp).
+// Owned file descriptors and pipes. The callers run external programs that end after one request (process.hpp) or
+// answer line by line (line_process.hpp).
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace grafverif {
 
-/// An owned file descriptor.
+/// A file descriptor that the destructor closes.
 class Descriptor {
 public:
     explicit Descriptor(int number = -1) : number_(number) {}
@@ -39,7 +39,7 @@ Pipe make_pipe();
 /// Makes reads and writes of `descriptor` non-blocking.
 void set_nonblocking(const Descriptor& descriptor);
 
-/// Throws std::system_error with this code and text.
+/// Throws std::system_error with the error number `code` and the text `what`.
 [[noreturn]] void fail(int code, const std::string& what);
 
 }  // namespace grafverif

@@ -62,12 +62,12 @@ StopRequested stopped_by(const Limits& limits) {
     };
 }
 
-/// Maximum effort of a search for the shortest change: the total number of executed moves of a network, steps of a
-/// system, or evolutions of a chart.
+/// Maximum effort of a search for the shortest change that removes a violation: `most_moves` is the total number of
+/// executed moves of a network; `most_steps` is the number of steps of a system or of evolutions of a chart.
 constexpr std::size_t most_moves = 5000, most_steps = 20'000;
 
-/// Marks the values that cause the violation, and searches for a smallest set of moves without which the property
-/// holds.
+/// Marks the values in the trace that cause the violation, and searches for a smallest set of moves without which the
+/// run does not violate the property.
 void explain_run(const Network& network, const Run& run, const Limits& limits, PropertyResult& answer) {
     if (!answer.verdict.about.valid() || !answer.trace) return;
     const Property& property = network.properties[answer.verdict.about];
@@ -184,8 +184,9 @@ bool is_about(const TransitionSystem& system, const PropertyResult& answer, Id<T
 /// Returns a term that is true in the states in which a transition is cleared. If the variable `firing` is not stored
 /// in states, returns the constant false.
 Id<Expr> clearing(Network& network, Id<Network::Variable> firing) {
-    // The value of a scratch variable is computed from the state before the edge and is not stored. The candidate terms
-    // are evaluated in the same state before the edge; therefore they suffice without the scratch variable.
+    // The value of a scratch variable is computed from the state before the edge and is not stored. The conjuncts of
+    // the condition, which are the other operands in the property, are evaluated in the same state and suffice without
+    // the scratch variable.
     return network.variables[firing].scratch ? network.exprs.constant(false)
                                              : network.exprs.leaf(Op::Variable, firing.index);
 }
@@ -194,8 +195,8 @@ Id<Expr> clearing(TransitionSystem& system, Id<TransitionSystem::Symbol> firing)
     return system.exprs.leaf(Op::Variable, firing.index);
 }
 
-/// Adds notes to the verdicts on unreachable steps: transitions that would activate such a step and are never cleared.
-/// `decide` returns the verdicts on those properties of the model that have the given names.
+/// Adds notes to the verdicts on unreachable steps. A note names a transition that would activate the step and is never
+/// cleared. `decide` returns the verdicts on the properties of the model with the given names.
 template <class Model, class Decide>
 void name_dead_transitions(Model model, const std::vector<const Chart*>& charts, const Decide& decide, Report& report) {
     struct Requested {

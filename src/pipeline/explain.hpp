@@ -22,12 +22,12 @@ struct Violation {
     Run run = {};
 };
 
-/// A function that decides the properties of a network that have the given names. The result may also contain verdicts
-/// on other properties.
+/// A function that checks the properties of `network` with the given names. The result may also contain verdicts on
+/// other properties.
 using PropertyChecker = std::function<std::vector<Verdict>(const Network& network, std::vector<std::string> names)>;
 
-/// Adds explanations to `report`, which concerns `network`. `search` is empty if another search would take long. In all
-/// functions of this file, only the deadline and the stop flag of `limits` apply.
+/// Adds explanations to `report`, which concerns `network`. `search` is empty if another search would take a long time.
+/// In all functions of this file, only the deadline and the stop flag of `limits` apply.
 void explain(const Network& network, const std::vector<Violation>& violations, const PropertyChecker& search,
              const Limits& limits, Report& report);
 
@@ -42,11 +42,12 @@ Deadline explanation_deadline(const Deadline& deadline, double seconds);
 /// their conditions that is never true. A statement is included only if `search` proves it.
 void explain_dead_steps(const Network& network, const std::vector<const Chart*>& charts, const PropertyChecker& search,
                         Report& report);
-/// Explains each unreachable step of an untimed model in the same way, until `explanation_deadline`.
+/// Explains each unreachable step of an untimed model: lists the transitions to it that are never cleared. Ends at
+/// `explanation_deadline`.
 void explain_dead_steps(const SystemToCheck& check, const Limits& limits, Report& report);
 
-/// Adds explanations to the trace of `answer`, if `answer` has a trace. `answer` states that `chart` does not become
-/// stable.
+/// Explains the result `answer`, which states that `chart` does not become stable. Adds the explanations to the trace
+/// of `answer`, if it has one.
 void explain(const Chart& chart, ExecutionMode mode, const Limits& limits, PropertyResult& answer);
 
 }  // namespace grafverif

@@ -50,8 +50,8 @@ void FileWatcher::note(const std::vector<std::string>& paths) {
     }
     for (std::size_t k = 0; k < paths.size(); ++k) {
         const auto [place, is_new] = seen_.try_emplace(paths[k], seen[k]);
-        // A file that has changed since it was recorded gets an impossible time stamp, so that `changed` still reports
-        // it.
+        // If a recorded file has already changed, it gets an impossible time stamp, so that `changed` still reports the
+        // file.
         if (!is_new && place->second != seen[k]) place->second.times = {-1, -1};
     }
 }

@@ -30,7 +30,8 @@ std::string reason(int error) {
     return std::generic_category().message(error);
 }
 
-/// Returns a text that states the type of a file that is not a regular file.
+/// Returns a text for messages that states the type of a file, for example `it is a folder`. The file is not a regular
+/// file.
 std::string_view kind_of(mode_t mode) {
     if (S_ISDIR(mode)) return "it is a folder";
     if (S_ISFIFO(mode)) return "it is a pipe, not a file";
@@ -138,8 +139,8 @@ std::string identity_of_existing(const std::string& path) {
 
 namespace {
 
-/// True for a virtual folder of the kernel, such as `/proc`. The files of such a folder change at any time and may be
-/// unbounded.
+/// True for a virtual folder of the kernel, such as `/proc`. Files in a virtual folder can change at any time, and
+/// their size may be unbounded.
 bool is_made_up(const fs::path& folder) {
     constexpr std::array made_up = {PROC_SUPER_MAGIC, SYSFS_MAGIC,        DEBUGFS_MAGIC,
                                     TRACEFS_MAGIC,    CGROUP_SUPER_MAGIC, CGROUP2_SUPER_MAGIC};
@@ -187,8 +188,8 @@ std::optional<fs::path> PermittedFolders::resolved(const fs::path& path, std::st
     if (!restricted_) return path;
     std::error_code failure;
     fs::path file = fs::absolute(path, failure);
-    // Two passes are required: for `missing/../link`, the first pass returns `link`, and the second pass returns the
-    // target of `link`.
+    // Two passes are required. For example, if `missing` does not exist and `link` is a symbolic link, the first pass
+    // turns `missing/../link` into `link`, and the second pass returns the target of `link`.
     for (int pass = 0; pass < 2 && !failure; ++pass) file = fs::weakly_canonical(file, failure);
     const bool is_resolved = !failure && !fs::is_symlink(fs::symlink_status(file, failure));
     if (is_resolved && std::ranges::any_of(folders_, [&](const fs::path& folder) { return is_below(file, folder); }))

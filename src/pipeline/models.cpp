@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Derives Equations, Network and TransitionSystem from a Model. Only this file combines the passes of these
-// derivations.
+// Derives Equations, Network and TransitionSystem from a Model. Only this file combines the passes that derive them.
 #include "pipeline/models.hpp"
 
 #include <algorithm>
@@ -62,8 +61,8 @@ std::optional<Network> with_observers(const Network& plant_network, const Closed
     return observed(*network, requested, vacuity);
 }
 
-/// Reports an error for each controller with a task cycle, because each step of the untimed model is a PLC cycle.
-/// Returns true if there is no such controller.
+/// Reports an error for each controller with a task cycle (a declared time between scans), because each step of the
+/// untimed model is a PLC cycle. Returns true if no controller has a task cycle.
 bool cycles_are_zero(const ClosedLoop& loop, Diagnostics& diagnostics) {
     bool zero = true;
     for (const ClosedLoop::Controller& controller : loop.controllers) {
@@ -75,7 +74,7 @@ bool cycles_are_zero(const ClosedLoop& loop, Diagnostics& diagnostics) {
 }
 
 /// Reports an error for each controller that is a program, because the untimed model is built from the steps and
-/// transitions of charts. Returns true if there is no such controller.
+/// transitions of charts. Returns true if all controllers are charts.
 bool are_charts(const Model& model, const ClosedLoop& loop, Diagnostics& diagnostics) {
     bool all = true;
     for (const ClosedLoop::Controller& controller : loop.controllers) {
@@ -171,7 +170,7 @@ std::optional<TransitionSystem> system_with_probes(const Model& model, Id<Closed
 AbstractionTranslator translator_of_abstractions(const Model& model, Id<ClosedLoop> id) {
     return [&model, id, equations = std::optional<std::vector<Equations>>{}](
                const Network& abstraction) mutable -> std::optional<TransitionSystem> {
-        Diagnostics known;  // the network exists, so errors are impossible
+        Diagnostics known;  // no errors can occur, because the network exists
         if (!equations) equations = equations_of_controllers(model, model.loops[id], known);
         if (!equations) return {};
         return schedule_abstraction(model, model.loops[id], *equations, abstraction);

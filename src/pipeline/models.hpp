@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Functions of the pipeline that the program uses in addition to the public API.
+// Functions that derive models and texts, for callers in grafverif itself. They are not part of the public API.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,8 @@ namespace grafverif {
 /// context. `reach` and `folders` must outlive the context.
 ReadContext context_of(const Reach& reach, const std::vector<std::string>& folders, bool lossy);
 
-/// Returns the same network as the public network_of, but without the corrections of the method that `options` disable.
+/// Returns the same network as the public network_of, but without those corrections of the published method that
+/// `options` disable.
 std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, const ComposeOptions& options,
                                   Diagnostics& diagnostics);
 
@@ -30,17 +31,19 @@ std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, const
 TransitionSystem transition_system_of(const Model& model, Id<Chart> chart, const Equations& equations,
                                       std::optional<ExecutionMode> mode);
 
-/// Returns the same system as the public transition_system_of for a closed loop, but with probes, which detect vacuous
-/// properties. Use the system only for checking, not for output.
+/// Returns the same system as the public transition_system_of for a closed loop, but with probes (additional properties
+/// that detect vacuous verdicts). Use the system only for checking, not for output.
 std::optional<TransitionSystem> system_with_probes(const Model& model, Id<ClosedLoop> loop, const ModelOptions& options,
                                                    Diagnostics& diagnostics);
-/// Translates abstractions of the network of a closed loop to TransitionSystems (see schedule_abstraction); the result is
-/// nullopt if a variable has too many values for a symbolic model.
+/// A function that translates an abstraction of the network of a closed loop to a TransitionSystem (see
+/// schedule_abstraction). The result is nullopt if a variable has too many values for a symbolic model.
 using AbstractionTranslator = std::function<std::optional<TransitionSystem>(const Network& abstraction)>;
-/// Returns a translator, which computes the equations of the controllers once. `model` must outlive the translator.
+/// Returns a translator of abstractions, which computes the equations of the controllers only once. `model` must
+/// outlive the translator.
 AbstractionTranslator translator_of_abstractions(const Model& model, Id<ClosedLoop> loop);
 
-/// Returns `network` with the observers of all its properties and with all probes, for external programs.
+/// Returns `network` with the observers of all its properties and with all probes (additional properties that detect
+/// vacuous verdicts), for external model checkers.
 Network network_with_probes(const Network& network);
 
 /// Returns the charts of the loop's controllers, in order.
@@ -51,7 +54,7 @@ std::vector<const Chart*> charts_of(const Model& model, const ClosedLoop& loop);
 SystemToCheck system_to_check(const TransitionSystem& system, const Model& model, Id<ClosedLoop> loop,
                               const ModelOptions& how);
 
-/// The UPPAAL project of a Network, and its queries. Each query is a formula for one verdict.
+/// The UPPAAL project of a Network, and its queries. Each query is the formula for one verdict.
 struct UppaalQueries {
     std::string project = {};
     std::vector<ExternalQuery> questions = {};
@@ -61,8 +64,8 @@ UppaalQueries uppaal_queries(const Network& network, Diagnostics& diagnostics);
 /// Returns the network as a C file for LTSmin.
 std::string pins_model(const Network& network);
 
-/// The AIGER file of a TransitionSystem, and a JSON map from its names to the charts. aiger_model warns about
-/// properties that AIGER cannot express.
+/// The AIGER file of a TransitionSystem, and a JSON map from the names in the file to the elements of the charts.
+/// aiger_model warns about properties that AIGER cannot express.
 struct AigerModel {
     std::string text = {}, map = {};
 };
@@ -79,9 +82,9 @@ std::optional<std::string> structured_text_of(const Equations& equations, const 
 struct CCode {
     std::string header = {}, source = {};
 };
-/// Returns the controller of a chart, or nullopt after an error. The source includes the header by the name
-/// `header_name`. If this name is empty, the source has no include directive for the header, and must follow the header
-/// text in one file.
+/// Returns C code for the controller that a chart describes, or nullopt after an error. The source includes the header
+/// by the name `header_name`. If this name is empty, the source has no include directive for the header, and must
+/// follow the header text in one file.
 std::optional<CCode> c_code_of(const Equations& equations, ExecutionMode mode, std::uint32_t max_evolutions,
                                std::string_view header_name, Diagnostics& diagnostics);
 

@@ -18,10 +18,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Maximum number of properties that are tried separately, each as the only property of a trial.
+/// Maximum number of properties that have a separate trial.
 constexpr std::size_t most_single = 3;
-/// Maximum number of states of the trial with `--max-states`. This trial is made only if the limit of the check was
-/// lower.
+/// Value of `--max-states` in the trial with more states. This trial is made only if the limit of the original check
+/// was lower.
 constexpr std::uint64_t more_states = std::uint64_t{1} << 20U;
 
 /// The options of a trial.
@@ -76,8 +76,8 @@ public:
 private:
     const ClosedLoop& loop() const { return check_.model.loops[check_.loop]; }
 
-    /// Returns `options`, extended by `--property` for each of `properties`. No option is added if `properties` are all
-    /// properties of the check.
+    /// Returns `options`, extended by `--property` for each of `properties`. No option is added if `properties`
+    /// contains all properties of the original check.
     std::string with_properties(std::string options, const std::vector<std::string>& properties) const {
         if (!is_part_ && properties.size() == open_.size()) return options;
         for (const std::string& name : properties) options += (options.empty() ? "--property " : " --property ") + name;
@@ -134,7 +134,7 @@ private:
         try {
             found = remedy.timed ? grafverif::check(check_.model, check_.loop, remedy.how, options, ignored)
                                  : check_untimed(check_.model, check_.loop, remedy.how, options, ignored);
-        } catch (const std::bad_alloc&) {  // ignored, because the results of the check remain valid
+        } catch (const std::bad_alloc&) {  // only the trial fails; the results of the check remain valid
             found = Report{};
         }
         if (!found || !found->failures.empty()) return {};
@@ -152,9 +152,10 @@ private:
         return trial;
     }
 
-    /// Returns text that states whether a verdict for grain atomic is also valid for grain phased. A verdict that is
-    /// proved by a run is valid, because each run in grain atomic is also a run in grain phased. Properties with
-    /// observers are excluded, because an observer sees more states in grain phased.
+    /// Returns text that states whether a verdict for grain atomic (a PLC cycle is one move) is also valid for grain
+    /// phased (reading, evolution and writing are separate moves). A verdict that a run proves is also valid for grain
+    /// phased, because each run in grain atomic is also a run in grain phased. Properties with observers are excluded,
+    /// because an observer reads more states in grain phased.
     std::string grain_text(const PropertyResult& answer) const {
         const auto property = std::ranges::find(loop().properties, selection(answer), &Property::name);
         if (property == loop().properties.end()) return "applies only to grain atomic";
@@ -169,7 +170,7 @@ private:
     const Report& report_;
     std::vector<std::string> open_ = {};  // values of `--property` that select the undecided properties
     std::set<std::string> results_ = {};  // names of the undecided verdicts
-    bool is_part_ = false;                // true if the check decided some of its properties
+    bool is_part_ = false;                // true if the check decided some properties
 };
 
 }  // namespace
@@ -180,8 +181,8 @@ bool needs_remedies(const Report& report) {
 
 std::vector<Trial> tried_remedies(const LimitedCheck& check, const Report& report, Deadline end) {
     if (is_over(end, check.options.limits.stop)) return {};
-    // Each trial composes the model again, and composition ignores the deadline. Therefore the duration of composition
-    // is measured, and three times this duration is subtracted from the time for the trials.
+    // Each trial composes the network again, and the composition ignores the deadline. Therefore the composition is
+    // measured, and three times its duration is subtracted from the time for the trials.
     const Clock::time_point begin = Clock::now();
     Diagnostics ignored;
     try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Simulator: a simulation together with the model that it owns.
+// Simulator: owns a model and a simulation of this model.
 #include <utility>
 
 #include "pipeline/check.hpp"
@@ -58,7 +58,7 @@ std::optional<Simulator> simulator_of(const Model& model, Id<ClosedLoop> loop, c
 
 std::optional<Simulator> simulator_of(const Model& model, Id<Chart> chart, std::optional<ExecutionMode> mode,
                                       Diagnostics& diagnostics) {
-    if (!equations_of(model, chart, diagnostics)) return {};  // the interpreter requires valid equations
+    if (!equations_of(model, chart, diagnostics)) return {};  // the interpreter requires a chart with valid equations
     auto inside = std::make_unique<Simulator::Inside>();
     keep(*inside, {&model.charts[chart]});
     inside->problem = inside->moved.emplace(inside->kept[0], execution_mode(model, chart, mode), Detail::Chart).begin();

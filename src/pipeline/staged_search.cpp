@@ -55,9 +55,9 @@ TimedOptions timed_options(const LoopToCheck& loop, const CheckOptions& options)
 
 StateProver prover_by_pdr(AbstractionTranslator system_of) {
     struct Known {
-        bool no_fault = false;  // true if it is proved that no model error is possible
-        std::chrono::steady_clock::duration time = std::chrono::seconds(4);  // time limit of the next proof of this
-        std::vector<pdr::NamedCube> pairs = {};  // invariants of the first abstraction that required them
+        bool no_fault = false;                                               // true if a proof excludes model errors
+        std::chrono::steady_clock::duration time = std::chrono::seconds(4);  // limit of the next attempt
+        std::vector<pdr::NamedCube> pairs = {};  // invariants found so far, for later abstractions
     };
     // Copies of the prover share the translator, because it stores equations.
     return [system_of = std::make_shared<AbstractionTranslator>(std::move(system_of)),
@@ -106,13 +106,14 @@ StagedSearch::StagedSearch(const LoopToCheck& loop, const Observe& observe, cons
       options_(timed_options(loop, options)) {
     options_.timelock = timelock && !is_watched_;
     if (!is_watched_) return;
-    // The profile in a report is that of the loop without observers, so this search computes no profile.
+    // The report contains the state profile of the loop without observers. Therefore a search with an observer computes
+    // no profile.
     options_.profile = ProfileFor::None;
     options_.many = {};
 }
 
 void StagedSearch::make_brief() {
-    // A bound of the user that is smaller also excludes input abstraction.
+    // If the user has set a smaller bound, the search does not use input abstraction.
     is_brief_ = options_.max_states > LocalizationLimits{}.whole;
     options_.max_states = std::min(options_.max_states, LocalizationLimits{}.whole);
 }
@@ -136,8 +137,8 @@ void StagedSearch::begin(const Deadline& deadline, LocalizationLimits limits, co
 }
 
 bool StagedSearch::refine(std::uint64_t states, const Deadline& deadline) {
-    // While input abstraction continues, the searches of fragments are limited, because large searches would use up the
-    // time for input abstraction.
+    // While input abstraction continues, the searches of fragments by localization are limited, because large searches
+    // would leave no time for input abstraction.
     const bool cells =
         complete_ && (refines_inputs_ ? complete_->refine(std::min(states, search_rounds[1]), share_of(deadline, 3))
                                       : complete_->refine(states, deadline));

@@ -5,7 +5,7 @@
 //   refine           rounds of localization and input abstraction, with growing bounds on states
 //   search_complete  a search of the complete loop for undecided properties
 //
-// Callers interleave the steps of several searches that share a limit.
+// A caller can interleave the steps of several searches that share one time limit.
 #pragma once
 
 #include <cstdint>
@@ -29,22 +29,22 @@ TimedOptions timed_options(const LoopToCheck& loop, const CheckOptions& options)
 /// of unreachable steps.
 Report check_without_causes(const LoopToCheck& loop, const CheckOptions& options);
 
-/// Returns a prover that decides properties by PDR on the model that `system_of` returns for an abstraction.
-/// Copies of the prover share the proof that no model error is possible. Requires that all abstractions are abstractions
-/// of the same loop.
+/// Returns a prover that decides properties by PDR on the model that `system_of` returns for an abstraction. Copies of
+/// the prover share the result that no model error is possible. Therefore all abstractions must be abstractions of the
+/// same loop.
 StateProver prover_by_pdr(AbstractionTranslator system_of);
 
 class StagedSearch {
 public:
-    /// `observe` builds `network` from the loop: it adds the observer of the only property, or it changes nothing.
-    /// Localization does not apply to an observer, which reads the complete loop. All references must outlive the
-    /// search. If `timelock` is true, the search also decides an undeclared `no timelock`, except in a network with an
-    /// observer.
+    /// `observe` is the function that created `network` from the loop: it adds the observer of the only property, or it
+    /// changes nothing. Localization is not used for a network with an observer, because the observer reads the
+    /// complete loop. All references must outlive the search. If `timelock` is true, the search also decides `no
+    /// timelock` if the loop does not declare it, except in a network with an observer.
     StagedSearch(const LoopToCheck& loop, const Observe& observe, const Network& network, const CheckOptions& options,
                  bool timelock = true);
 
-    /// Limits the search to the bounded search of the complete loop and to one short round of input abstraction. Must be
-    /// called before `begin`.
+    /// Limits the search to the bounded search of the complete loop and to one short round of input abstraction. Must
+    /// be called before `begin`.
     void make_brief();
 
     /// Performs the first step: the bounded search and the first round of localization.
@@ -53,7 +53,7 @@ public:
     /// Performs one round of localization and of input abstraction. Returns false if no further round is possible.
     bool refine(std::uint64_t states, const Deadline& deadline);
 
-    /// True if the last step can decide a requested property that is still undecided.
+    /// True if the search of the complete loop can decide a requested property that is still undecided.
     bool needs_whole();
 
     /// Performs the last step: the search of the complete loop.

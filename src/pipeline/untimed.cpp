@@ -20,8 +20,8 @@ bool reads_free_variable(const TransitionSystem& system, Id<Expr> term) {
     });
 }
 
-/// True if the property reads an observer. Such a verdict is not transferred to another model, because the observer
-/// depends on the steps of its model.
+/// True if the property reads an observer (an automaton that monitors a property). A verdict on the property does not
+/// apply to another model, because the observer reacts to each step of this model, and another model has other steps.
 bool reads_observer(const TransitionSystem& system, const Property& property) {
     const Table<TransitionSystem::Symbol>& symbols = system.modules[system.main].symbols;
     return std::ranges::any_of(property.operands, [&](Id<Expr> operand) {
@@ -33,9 +33,9 @@ bool reads_observer(const TransitionSystem& system, const Property& property) {
     });
 }
 
-/// True if the outcome for a model without a plant applies to every plant. If `leads to` holds and its premise reads a
-/// free variable, the outcome does not apply: with a plant, the premise may be true only between two PLC cycles, so
-/// that no cycle reads this value.
+/// True if the outcome for a model without a plant applies to every plant. The outcome of `p leads to q` does not apply
+/// if p reads a free variable: with a plant, p may be true only between two PLC cycles, so that no cycle reads the
+/// values that make p true.
 bool holds_for_every_plant(const SystemToCheck& check, const Property& property, Outcome outcome) {
     const bool holds = outcome == Outcome::Holds;
     if (is_about_all_states(property.pattern)) return holds;
@@ -107,7 +107,7 @@ std::string carried(const SystemToCheck& check, const Property& property, const 
 }  // namespace
 
 bool excludes_fault(const Property& property) {
-    // A property that a model declares may have the same name.
+    // The name is not sufficient, because a model may declare a property with the same name.
     const bool is_implicit = !property.origin.source.valid();
     return is_implicit && (property.name.starts_with("no_race") || property.name.starts_with("no_out_of_range"));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Abstraction of an untimed model, and the consequences of its verdicts for the timed loop.
+// Describes the abstraction of an untimed model, and the consequences of its verdicts for the timed loop.
 #pragma once
 
 #include <functional>
@@ -13,34 +13,35 @@ namespace grafverif {
 
 struct Abstraction {
     enum class Preservation {
-        /// No plant: a property of all states that holds also holds with every plant, in grain atomic.
+        /// The model has no plant. If a property of all states holds in the model, it also holds with every plant, in
+        /// grain atomic (a PLC cycle is one move).
         ToEveryPlant,
-        /// Plant automata that move at any time in any order: a property of all runs that holds, and a `reachable` that
-        /// is violated, have the same verdict in the timed loop.
+        /// Plant automata move at any time and in any order. If a property of all runs holds in the model, or a
+        /// `reachable` is violated, the verdict for the timed loop is the same.
         ToTimedLoop,
-        ExactInIntegerTime,  ///< the states are the same as in the timed engine
-        Nowhere,             ///< restricted order of events: verdicts apply only to the model
+        ExactInIntegerTime,  ///< the model has the same states as the timed engine
+        Nowhere,             ///< the order of events is restricted: verdicts apply only to this model
     };
     std::string words = {};  ///< description of the abstraction, such as `no plant` or `plant automata, interleaved`
-    std::string grain = {};  ///< granularity; empty if the model does not distinguish it
+    std::string grain = {};  ///< grain of interleaving; empty if the model does not depend on it
     Preservation preservation = Preservation::Nowhere;
-    bool constrained = false;  ///< true if the constraints on the inputs are assumed
-    /// True if runs are fair: a verdict on a property of runs, unlike a verdict on a property of states, applies only
-    /// to this model.
+    bool constrained = false;  ///< true if the model assumes the declared constraints on inputs
+    /// True if only fair runs are considered. In this case, a verdict on a property of runs applies only to this model;
+    /// this does not affect verdicts on properties of states.
     bool fair = false;
 };
 /// Returns the abstraction of the system that transition_system_of derives from `loop`, or from a chart if `loop` is
 /// null.
 Abstraction abstraction_of(const ModelOptions& options, const ClosedLoop* loop);
 
-/// A transition system to check, with the charts of its controllers, in order.
+/// A transition system to check, with the charts of its controllers in the order of the controllers.
 struct SystemToCheck {
     const TransitionSystem& system;
     std::vector<const Chart*> charts = {};
     Abstraction abstraction = {};
-    /// For interleaved plant automata: returns the expanded network from which the system was derived. For any other
-    /// system, the function or its result is empty. The function is called if a run is explained. It computes the
-    /// network once.
+    /// For interleaved plant automata, returns the expanded network from which the system was derived. For any other
+    /// system, the function or its result is empty. The function is called to explain a run. It computes the network
+    /// only once.
     std::function<const std::optional<Network>&()> network = {};
 };
 
@@ -51,8 +52,8 @@ bool excludes_fault(const Property& property);
 /// `no_out_of_range` is violated, the behaviour after the violation is undefined and may differ in another model.
 std::vector<std::string> unproven_faults(const TransitionSystem& system, const std::vector<Verdict>& verdicts);
 
-/// Returns the consequences of a verdict beyond its model, provided that the `unproven` properties hold, or an empty
-/// string if the verdict is unknown.
+/// Returns a text with the consequences of a verdict for the timed loop or for other plants. The text states the
+/// condition that the properties `unproven` hold. The text is empty if the verdict is unknown.
 std::string preservation_text(const SystemToCheck& check, const Property& property, const Verdict& verdict,
                               const std::vector<std::string>& unproven);
 

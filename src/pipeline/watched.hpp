@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Operands of properties as text.
+// Converts the operands of properties to text.
 #pragma once
 
 #include <string>

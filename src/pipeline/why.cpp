@@ -33,8 +33,8 @@ bool is_of(const Verdict& verdict, const std::string& name) {
     return verdict.property == name || verdict.property.starts_with(name + '.');
 }
 
-/// Returns the outcome of a property. It is violated if one of its verdicts is violated, or if a model error prevents a
-/// verdict. It holds if all its verdicts hold. Otherwise, the outcome is unknown.
+/// Returns the outcome of the property `name`: Violated if one of its verdicts is violated or if a model error prevents
+/// a verdict; Holds if all its verdicts hold; otherwise Unknown.
 Outcome outcome_of(const std::vector<Verdict>& verdicts, const std::string& name) {
     bool any = false, all = true;
     for (const Verdict& verdict : verdicts) {
@@ -131,15 +131,15 @@ public:
     }
 
 private:
-    /// A change to the model. `names` are the properties to decide for the changed model; `open` are the undecided ones
-    /// of these properties.
+    /// A trial with a changed model. `names` are the properties to decide for the changed model; `open` are the
+    /// properties among `names` that are still undecided.
     struct Trial {
         ModelElement element = {};
         Names names = {}, open = {};
         std::function<void(Model&)> change = {};
         const Network* original = nullptr;  ///< if the plant is changed: the network of the unchanged model
     };
-    /// The search for the instances and timers on which one property about all states depends.
+    /// State of the search for the instances and timers on which one property about all states depends.
     struct PartsOf {
         std::size_t ground = 0;
         /// The network after the removal of the processes that the property does not need.
@@ -234,7 +234,7 @@ private:
     void leave_out(Trial& trial) {
         if (trial.open.empty() || stopped()) return;
         const Deadline end = next_end();
-        Names timeless;  // properties that read a timer which the change removes
+        Names timeless;  // properties that read a timer that the change removes
         Model without = model_;
         trial.change(without);
         Table<Property> kept;
@@ -328,9 +328,9 @@ private:
         }
     }
 
-    /// Adds trials for guards. If a property holds for any behaviour of an instance, it also holds without the guards
-    /// of this instance; then no trial is necessary. A guard of an edge with assignments always needs a trial, because
-    /// a model error may be possible without this guard.
+    /// Adds trials for guards. If it is proved that a property does not depend on an instance, the property also holds
+    /// without the guards of this instance, and no trial is necessary. A guard of an edge with assignments always needs
+    /// a trial, because a model error may be possible without this guard.
     void collect_guards(const Network& original) {
         for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, ModelElement element) {
             const Component& component = model_.components[model_.loops[loop_].instances[id].component];
@@ -348,8 +348,8 @@ private:
     }
 
     /// Adds trials for edges. If an edge is not urgent and no invariant forces it, removing the edge adds no behaviour
-    /// to the closed loop. Then properties about all states need no trial: if they hold with the edge, they hold
-    /// without it.
+    /// to the closed loop. A property about all states that holds with the edge then also holds without it and needs no
+    /// trial.
     void collect_edges(const Network& original) {
         for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, ModelElement element) {
             const bool forced = is_forced(model_.components[model_.loops[loop_].instances[id].component], edge);
@@ -413,8 +413,8 @@ private:
     }
 
     /// Tries to remove each undecided process; a process that the property does not need remains removed. Then tries to
-    /// remove all undecided processes together. In the last pass, tries each process that is still undecided once more.
-    /// Each pass may explore more states than the previous pass.
+    /// remove all undecided processes together. In the last pass, tries again to remove each process that is still
+    /// undecided. Each pass may explore more states than the previous pass.
     void leave_out_parts(PartsOf& parts) {
         ProofCore& ground = why_.grounds[parts.ground];
         for (const bool again : {false, true}) {
@@ -438,9 +438,9 @@ private:
         return true;
     }
 
-    /// Removes a process from the network `open`: an instance or, if the property does not hold without it, only its
-    /// clocks; for a timer, its clocks. Returns Holds if the property does not depend on the process, Violated if the
-    /// property depends on it, and Unknown otherwise.
+    /// Tries to remove a process from the network `open`. For an instance: removes the complete instance or, if the
+    /// property does not hold without it, only its clocks. For a timer: removes its clocks. Returns Holds if the
+    /// property does not depend on the process, Violated if the property depends on it, and Unknown otherwise.
     Outcome leave_out(Id<Network::Process> id, Network& open, ProofCore& ground, const Deadline& end) {
         const std::string& name = display_names_[id.index];
         const Property& property = element_of(open.properties, ground.property, &Property::name);
@@ -482,7 +482,7 @@ private:
     SearchEffort effort_ = {};
     bool is_last_ = false;
     Deadline pass_end_ = {};
-    std::size_t units_ = 0;  // number of elements that share the remaining time of this pass
+    std::size_t units_ = 0;  // number of elements that share the rest of this pass's time
     std::vector<Trial> trials_ = {};
     std::vector<PartsOf> parts_ = {};
     std::vector<Id<Network::Process>> order_ = {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Proof cores: the elements of a loop on which the proofs of its properties depend. For each element, the loop is
-// checked again without this element.
+// Determines proof cores: the elements of a loop on which the proofs of its properties depend. For each element, checks
+// the loop again without this element.
 #pragma once
 
 #include "explain/ablation.hpp"
@@ -11,17 +11,17 @@
 namespace grafverif {
 
 /// Analyses the properties in `report` that hold and are declared; see ProofExplanation. Each search explores at most
-/// the number of states that `options` allow, by default eight times the states of the first search, but at least
-/// 100,000 (see VariantSearch). Elements that are undecided when the analysis is stopped or reaches its deadline remain
-/// undecided.
+/// the number of states that `options` allow. By default, this number is eight times the number of states of the first
+/// search, but at least 100,000 (see VariantSearch). Elements that are undecided when the analysis is stopped or
+/// reaches its deadline remain undecided.
 ProofExplanation why_it_holds(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how,
                               const CheckOptions& options, const Report& report, const VariantBounds& bounds = {});
 
-/// Returns the element of the explanation for an element of a program.
+/// Converts an element of a PLC program to an element of the explanation.
 ProofExplanation::ModelElement model_element(const ProgramElement& element);
 
-/// Sorts the elements by kind, and numbers elements with equal names. Names of statements at different positions are not
-/// equal.
+/// Sorts the elements by kind, and numbers elements with equal names. Names of statements at different positions are
+/// not equal.
 void order_elements(ProofExplanation& why);
 
 }  // namespace grafverif

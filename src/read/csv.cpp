@@ -36,11 +36,11 @@ CsvScanner::Field CsvScanner::field() {
         made.text += text_[at_];
         if (!at_blank()) made.end = at_ + 1;
     }
-    made.text.resize(made.text.find_last_not_of(blanks) + 1);  // empty if the text is blank, because npos + 1 is 0
+    made.text.resize(made.text.find_last_not_of(blanks) + 1);  // blank text becomes empty: npos + 1 is 0
     return made;
 }
 
-/// Returns the text up to the closing quote, or up to the end if there is none.
+/// Returns the text up to the closing quote; without a closing quote, returns the rest of the text.
 std::string CsvScanner::quoted() {
     std::string inside;
     for (++at_; !at_end(); ++at_) {

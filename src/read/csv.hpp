@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // CSV reader (RFC 4180): a field that contains a separator or a quote is enclosed in quotes, and quotes in it are
-// doubled. The first row determines the separator: the comma, or the semicolon, which spreadsheets with a decimal comma
-// use. Empty rows, a byte order mark, spaces around fields and Excel's `sep=;` are ignored.
+// doubled. The first row determines the separator: the comma or the semicolon (spreadsheets in countries with a decimal
+// comma write semicolons). The reader ignores empty rows, a byte order mark, spaces around fields and Excel's `sep=;`.
 #pragma once
 
 #include <string>
@@ -26,7 +26,7 @@ public:
 
     /// Reads a field up to the next separator or line end.
     Field field();
-    /// Reads the separator at the current position; returns false if there is another character.
+    /// Reads the separator at the current position. Returns false if another character is at this position.
     bool separator() { return at({&separator_, 1}) && ++at_ != 0; }
     void skip_line_ends();
     bool at_end() const { return at_ >= text_.size(); }
@@ -54,8 +54,8 @@ using CsvRow = std::vector<CsvField>;
 /// Reads the rows of a table sequentially.
 class CsvRows {
 public:
-    /// If the file is not UTF-8 text, an error is reported and there are no rows. Rows that begin with `comment` are
-    /// ignored, unless `comment` is '\0'.
+    /// If the file is not UTF-8 text, reports an error; the table then has no rows. Ignores rows that begin with
+    /// `comment`, unless `comment` is '\0'.
     CsvRows(Id<Source> source, const Sources& sources, char comment, Diagnostics& diagnostics);
 
     /// Reads the next row; returns false at the end of the table.

@@ -14,11 +14,11 @@ namespace grafverif {
 namespace {
 
 constexpr std::size_t deepest_expression = 1000;
-// Maximum length of an imported name in bytes. Names can have up to 1,000 bytes; the difference permits a prefix and a
-// number.
+// Maximum length of an imported name in bytes. The input language permits names of up to 1,000 bytes; the difference
+// leaves space for a prefix and a number.
 constexpr std::size_t longest_name = 900;
 
-/// Reserved words, which are not allowed as names (see grammars/grafcet.yy).
+/// Reserved words of the input language, which are not allowed as names (see grammars/grafcet.yy).
 constexpr std::array reserved = {"grafcet",  "component", "closed_loop", "include", "input", "output",
                                  "internal", "step",      "transition",  "when",    "do",    "force",
                                  "and",      "or",        "not",         "true",    "false", "always",

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Draft: builder for the tree of a chart imported from another format. All elements keep their positions in the
-// imported file, so that later stages report errors at these positions. Each name is converted to a legal name once.
-// Comments are attached to positions of the imported file; the lines of the comments are determined when the tree is
-// laid out as text.
+// Draft: builds the syntax tree of a chart that is imported from another format. All elements keep their positions in
+// the imported file, so that later stages report errors at these positions. A comment refers to a position in the
+// imported file; `laid_out` later determines the line of the comment in the generated text.
 #pragma once
 
 #include <initializer_list>
@@ -30,20 +29,20 @@ public:
     Id<tree::Expr> duration(std::int64_t milliseconds, Span where);
     Id<tree::Expr> variable(std::string_view name, Span where);
     Id<tree::Expr> member(std::string_view owner, std::string_view name, Span where);
-    /// Creates a node. The result is invalid after an error: the term exceeds the maximum depth. `And` and `Or` have
-    /// any number of operands; nested operands with the same operator are flattened.
+    /// Creates a node of the syntax tree. The result is invalid after an error: the term exceeds the maximum depth.
+    /// `And` and `Or` have any number of operands; nested operands with the same operator are flattened.
     Id<tree::Expr> node(tree::Op op, const std::vector<Id<tree::Expr>>& operands, Span where);
     /// Returns a copy of a term. A copy is necessary because an operand belongs to exactly one node.
     Id<tree::Expr> copy(Id<tree::Expr> term);
     const tree::Expr& operator[](Id<tree::Expr> id) const { return file_.exprs[id]; }
     std::vector<Id<tree::Expr>> operands(Id<tree::Expr> id) const;
 
-    /// Adds a comment line (`// ...`) before the element at the given position, or at the end of its line if `trailing`
-    /// is true.
+    /// Adds a comment line (`// ...`) before the element at `where` or, if `trailing` is true, at the end of the line
+    /// of this element.
     void comment(Span where, std::string line, bool trailing = false);
 
-    /// Reports a construct that cannot be imported. By default, the report is an error. If `lossy` is true, the report
-    /// is a warning, and a comment is added to the text. `hint` states the remedy.
+    /// Reports a construct that cannot be imported. By default, adds an error. If `lossy` is true, adds a warning and a
+    /// comment in the generated text. `hint` states the remedy.
     void refuse(Span where, std::string_view what, std::string_view hint);
     bool lossy() const { return lossy_; }
     Diagnostics& diagnostics() { return *diagnostics_; }
@@ -64,7 +63,7 @@ private:
     std::size_t errors_ = 0;  ///< number of errors before this draft
 };
 
-/// Generates unique legal names in one scope. A warning is added for each name that must be changed.
+/// Generates unique legal names in one scope. Adds a warning for each name that must be changed.
 class LegalNames {
 public:
     enum class Kind { Variable, Label, Chart };

@@ -8,7 +8,7 @@ namespace grafverif {
 
 namespace {
 
-/// Returns the Boolean input named by `field`, or an invalid id after an error.
+/// Returns the Boolean input with the name in `field`, or an invalid id after an error.
 Id<Chart::Variable> input(const CsvField& field, const Chart& chart, Diagnostics& diagnostics) {
     for (const Id<Chart::Variable> id : chart.variables.ids()) {
         const Chart::Variable& variable = chart.variables[id];

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Exclusion tables: pairs of inputs that are never true simultaneously.
+// Reads exclusion tables: pairs of inputs that are never true simultaneously.
 //
 //   variable1,variable2,reason
 //   V_IN,V_OUT,"one cylinder, two ends"
 //
-// CSV (RFC 4180) with commas or semicolons. The first row is the header; empty rows and rows that begin with `#` are
-// ignored.
+// The format is CSV (RFC 4180) with commas or semicolons. The first row is the header; the reader ignores empty rows
+// and rows that begin with `#`.
 #pragma once
 
 #include <optional>
@@ -26,7 +26,7 @@ struct ExclusionRow {
     bool operator==(const ExclusionRow&) const = default;
 };
 
-/// Returns the rows of `file`, or nothing after at least one error.
+/// Returns the rows of `file`, or nullopt after at least one error.
 std::optional<std::vector<ExclusionRow>> read_exclusions(Id<Source> file, const Sources& sources, const Chart& chart,
                                                          Diagnostics& diagnostics);
 

@@ -68,7 +68,7 @@ tree::File read_sfc_text(Id<Source> source, const Sources& sources, bool lossy, 
     return draft.take();
 }
 
-/// Words that can begin a file in a language of IEC 61131-3, but not a .grafcet file.
+/// Words that can be the first word of a file in a language of IEC 61131-3, but not of a .grafcet file.
 constexpr std::array first_text = {"PROGRAM", "FUNCTION_BLOCK", "FUNCTION",   "VAR_GLOBAL",  "TYPE", "CONFIGURATION",
                                    "VAR",     "VAR_INPUT",      "VAR_OUTPUT", "INITIAL_STEP"};
 
@@ -99,7 +99,7 @@ bool declares_program(std::string_view text) {
     return without_comments(text).starts_with('=');
 }
 
-/// Returns `station` for `charts/station.xml`.
+/// Returns the file name without folder and extension, for example `station` for `charts/station.xml`.
 std::string stem_of(std::string_view path) {
     path.remove_prefix(std::min(path.find_last_of('/') + 1, path.size()));
     return std::string(path.substr(0, path.find('.')));

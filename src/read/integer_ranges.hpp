@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Determines the ranges of integers for which an imported file does not specify a range. For a variable that is only
-// compared with constants and assigned constants, the values of these constants are sufficient. For an input, one
-// smaller value and one larger value are added, because the chart cannot distinguish further values. Any other variable
-// has the complete range of its type.
+// compared with constants and assigned constants, the values of these constants are sufficient. The range of an input
+// additionally has one smaller and one larger value, because the chart cannot distinguish further values. Any other
+// variable has the complete range of its type.
 #pragma once
 
 #include <cstdint>
@@ -17,12 +17,12 @@ struct OpenInteger {
     Id<tree::Word> variable = {};
     bool input = false;
     std::int64_t initial = 0;
-    std::int64_t least = 0, greatest = 0;  ///< range of the variable's type
+    std::int64_t least = 0, greatest = 0;  ///< limits of the variable's type
 };
 
 struct FoundRange {
     std::int64_t low = 0, high = 0;
-    bool exact = false;  ///< true if the chart cannot distinguish values outside of the range
+    bool exact = false;  ///< true if a larger range would not change the behaviour
 };
 
 /// Returns the range of each of `integers`, in order.

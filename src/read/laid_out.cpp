@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Assigns positions to an imported tree in the order of the input language: elements that are printed first have
-// smaller positions. A comment refers to the element that it describes by the position of this element in the imported
-// file. If the element no longer exists, the comment is placed at the head of the file.
+// Assigns new positions to the elements of an imported tree, in the order in which they are printed. A comment contains
+// the position in the imported file of the element that it describes. If the tree does not contain this element, the
+// comment is placed at the head of the file.
 #include <map>
 #include <utility>
 

@@ -161,7 +161,7 @@ private:
     std::unordered_map<std::string, Id<TestSequence::Situation>> situations_ = {};
 };
 
-/// Returns a test with the inputs and outputs of `chart` in order of declaration, and without steps.
+/// Returns a test without steps, with the inputs and outputs of `chart` in order of declaration.
 TestSequence test_without_steps(const Chart& chart, ExecutionMode mode) {
     TestSequence test;
     test.chart = chart.name;

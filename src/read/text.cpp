@@ -35,8 +35,8 @@ std::string identity(const std::string& path, const ReadContext& context) {
     return context.identity ? context.identity(path) : path;
 }
 
-/// Returns the path `folder`/`written`. The path is normalized if the normalized path denotes the same file: with a
-/// symbolic link `link`, `link/../a` and `a` may be different files.
+/// Returns the path `folder`/`written`. The result is the normalized path if it denotes the same file. It may denote
+/// another file: if `link` is a symbolic link, `link/../a` and `a` may be different files.
 std::string joined(const std::filesystem::path& folder, const std::string& written, const ReadContext& context) {
     const std::filesystem::path path = folder / written;
     const std::string shorter = path.lexically_normal().generic_string();
@@ -55,8 +55,8 @@ struct Open {
     std::size_t next = 0;  ///< next declaration to process
 };
 
-/// Parses each file once. Cycles and unreadable files are reported at the include line; `missing` is set if a file is
-/// unreadable.
+/// Parses a file and its includes, each file once. Reports cycles and unreadable files at the include line. Sets
+/// `missing` if a file is unreadable.
 std::vector<tree::File> parse_with_includes(Id<Source> file, Sources& sources, const ReadContext& context,
                                             bool& missing, Diagnostics& diagnostics) {
     std::vector<tree::File> files;
@@ -120,8 +120,8 @@ bool is_new(ReadState& reading, std::unordered_map<std::string, Span>& seen, std
     return fresh;
 }
 
-/// True if the names in a declaration are to be resolved: the declaration is complete and its name is new, or the
-/// recorder also needs the references of faulty declarations.
+/// True if the names in a declaration must be resolved: the declaration is complete and its name is new, or the
+/// recorder also records references in declarations with errors.
 bool is_resolved(const ReadState& reading, bool fresh, bool broken) {
     return reading.record.beyond_errors() || (fresh && !broken);
 }
@@ -136,7 +136,8 @@ void read_chart(ReadState& reading, const tree::File& file, const tree::Chart& w
     else if (fresh) reading.written.in_error.insert(name);
 }
 
-/// Reports inputs and outputs of a program that a loop cannot declare: parts of structures, arrays and instances.
+/// True if a closed loop can declare all inputs and outputs of a program. Otherwise, reports the exceptions: parts of
+/// structures, arrays and instances.
 bool has_elementary_signals(const Program& program, Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
     const ProgramLayout layout = layout_of(program);
@@ -157,7 +158,7 @@ bool has_elementary_signals(const Program& program, Diagnostics& diagnostics) {
     return diagnostics.errors() == errors;
 }
 
-/// Reads the file of a PLC program, and adds the chart that represents the program in closed loops.
+/// Reads the file of a PLC program, and adds a chart that represents the program in closed loops.
 void read_plc_program(ReadState& reading, const tree::File& file, const tree::PlcProgram& written) {
     const std::string name(file.text(written.name));
     if (!is_new(reading, reading.charts, "chart or program", name, written.name.where)) return;
@@ -174,8 +175,8 @@ void read_plc_program(ReadState& reading, const tree::File& file, const tree::Pl
     if (program && has_elementary_signals(program->program(), reading.diagnostics)) {
         reading.written.in_error.erase(name);
         Chart chart = interface_of({std::make_shared<const Program>(program->program())}, name, written.name.where);
-        // The loop names the variables and steps of the program by the name of the program. Therefore, the program is
-        // their owner; the declarations in the text of the program follow.
+        // In the loop, the name of the program qualifies its variables and steps. Therefore, the program is recorded as
+        // the owner of these declarations. The declarations in the text of the program follow.
         for (const Chart::Variable& each : chart.variables)
             reading.record.declare(declaration_kind(each.kind), each.name, each.origin, each.origin, chart.origin);
         for (const Chart::Step& each : chart.steps)
@@ -204,7 +205,7 @@ void read_component(ReadState& reading, const tree::File& file, const tree::Comp
 }
 
 /// Reads charts and components first, because loops refer to them independently of the order of declaration. Charts
-/// with instances of other charts are omitted.
+/// with instances of other charts are read later.
 void read_parts(ReadState& reading, const tree::File& file) {
     for (const tree::Declaration& declaration : file.declarations) {
         std::visit(overloaded{
@@ -227,7 +228,7 @@ void read_charts_with_instances(ReadState& reading, const tree::File& file) {
             read_chart(reading, file, *chart);
 }
 
-/// Adds the component `name` from the library if the library defines this component and the input does not.
+/// Adds the component `name` from the component library, if the library defines it and the input does not.
 void take_from_library(ReadState& reading, const std::string& name) {
     const LibraryEntry* const entry = library_entry(reading, name);
     if (entry == nullptr || reading.components.contains(name)) return;
@@ -256,7 +257,7 @@ void take_components(ReadState& reading, const tree::File& file) {
     }
 }
 
-/// Checks that every constant set by the user is a constant of some loop.
+/// Reports each constant that the user has set (`--set`) and that no loop declares.
 void check_settings(ReadState& reading) {
     std::vector<std::string> known;
     for (const ClosedLoop& loop : reading.model.loops)
@@ -303,13 +304,14 @@ void read_all(ReadState& reading, std::span<const tree::File> files, bool hidden
         for (const tree::File& parsed : files) read_loops(reading, parsed, loops);
 }
 
-/// Records the declarations and references of all files although the files contain errors.
+/// Records the declarations and references of files that contain errors.
 void record_beyond_errors(std::span<const tree::File> files, Sources& sources, const ReadContext& context) {
     *context.references = {};
     Diagnostics ignored;
     ReadState reading{sources, context, ignored, Recorder(context.references, true)};
     read_all(reading, files, false);
-    // An instance of a chart refers to names of the surrounding chart, whose declarations may be faulty.
+    // Removes references to undeclared names: an instance of a chart refers to names of the surrounding chart, and
+    // their declarations may have errors.
     std::set<std::pair<std::uint32_t, std::size_t>> declared;
     const auto site = [](Span where) { return std::pair(where.source.index, std::size_t{where.begin}); };
     for (const References::Declaration& each : context.references->declarations) declared.insert(site(each.where));

@@ -22,7 +22,8 @@ namespace grafverif {
 
 namespace {
 
-/// Returns the value of `encoding` in the XML declaration as a view of the text, or an empty string if there is none.
+/// Returns the value of `encoding` in the XML declaration as a view of the text, or an empty string without such a
+/// value.
 std::string_view declared_encoding(std::string_view text) {
     const std::string_view head =
         text.substr(0, text.starts_with("<?xml") ? std::min(text.find("?>"), text.size()) : 0);
@@ -39,7 +40,7 @@ std::string_view declared_encoding(std::string_view text) {
 bool decode_xml(Id<Source> source, Sources& sources, Diagnostics& diagnostics) {
     std::string& text = sources[source].text;
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-        if (text.size() % 2 == 0) text = utf8_of_utf16(text);  // is_readable reports an odd size
+        if (text.size() % 2 == 0) text = utf8_of_utf16(text);  // `is_readable` reports an odd number of bytes
         return true;
     }
     const std::size_t mark = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Xml: a parsed document with source positions. Parsing does not replace or normalize text. Therefore, expressions in
-// the document that are parsed later have positions in the file.
+// Xml: a parsed XML document with source positions. The XML parser does not replace or normalize text, so that
+// expressions in the document, which are parsed later, have exact positions in the file.
 //
 // Elements and attributes are identified by their local names, because prefixes differ between tools.
 #pragma once
@@ -19,9 +19,9 @@ namespace grafverif {
 
 class Xml {
 public:
-    /// Reads a document; empty after an error: it is not text, is not well-formed, declares entities, or is nested
-    /// deeper than 1,000 levels. A document in Latin-1 or UTF-16 is converted to UTF-8 in `sources`; positions refer to
-    /// the converted text.
+    /// Reads a document. The result is empty after an error: the document is not text, is not well-formed, declares
+    /// entities, or is nested deeper than 1,000 levels. A document in Latin-1 or UTF-16 is converted to UTF-8 in
+    /// `sources`; positions refer to the converted text.
     static std::optional<Xml> read(Id<Source> source, Sources& sources, Diagnostics& diagnostics);
 
     pugi::xml_node root() const { return root_; }
@@ -32,13 +32,13 @@ public:
     Span where(pugi::xml_node node) const;
     /// Returns the span of the attribute's value, or where(node) if the attribute is missing.
     Span where(pugi::xml_node node, std::string_view attribute) const;
-    /// Returns the texts in an element, in order.
+    /// Returns the pieces of text in an element, in order.
     st::Text text(pugi::xml_node node) const;
-    /// Returns the value of an attribute as a text.
+    /// Returns the value of an attribute as a text with its position.
     st::Text text(pugi::xml_node node, std::string_view attribute) const;
     /// Returns the value of an attribute of type xsd:boolean; false if the attribute is missing or invalid.
     bool flag(pugi::xml_node node, std::string_view attribute, Diagnostics& diagnostics) const;
-    /// Returns the characters of text(node).
+    /// Returns the pieces of `text(node)` as one string.
     std::string content(pugi::xml_node node) const;
 
 private:
@@ -53,7 +53,7 @@ private:
     pugi::xml_node root_ = {};
 };
 
-/// Returns `Grafcet` for `grafcet:Grafcet`.
+/// Returns a name without its prefix, for example `Grafcet` for `grafcet:Grafcet`.
 std::string_view local_name(const char* name);
 bool is(pugi::xml_node node, std::string_view name);
 /// Returns the first child element with this name.

@@ -18,11 +18,13 @@ namespace grafverif {
 
 namespace {
 
-/// Maximum number of states of a certificate, and maximum size of their text, which is built in memory.
+/// Maximum number of states in a certificate, and maximum size in bytes of the text of these states. The text is built
+/// in memory.
 constexpr std::uint64_t most_states = 10'000'000;
 constexpr std::size_t most_bytes = std::size_t{1} << 30U;
 
-/// Returns the property that `verdict` decides. For a step of `reachable all steps`, this is a `reachable`.
+/// Returns the property that `verdict` decides. For a verdict on one step of a property `reachable all steps`, returns
+/// a property `reachable` of this step.
 Property decided_property(const Network& flat, const Verdict& verdict) {
     Property property = verdict.about.valid() ? flat.properties[verdict.about] : timed::undeclared_timelock(flat);
     if (property.pattern == Pattern::ReachableAllSteps) {
@@ -42,8 +44,9 @@ public:
     FolderWriter(Network flat, std::string folder, Certificate& certificate)
         : flat_(std::move(flat)), folder_(std::move(folder)), certificate_(certificate) {}
 
-    /// Adds the claims about `reported`, and the lines `more` to the index. A subfolder without claims is not written.
-    /// Returns the lines for the index of the folder that contains this folder.
+    /// Searches the network again and adds the files that prove the verdicts `reported`. The index of the folder also
+    /// contains the lines `more`. If no verdict is proved, a subfolder is not written. Returns the lines for the index
+    /// of the folder that contains this folder.
     std::string write(const std::vector<const Verdict*>& reported, TimedOptions options, const std::string& more = {}) {
         std::string states;
         options.covering = false;
@@ -92,7 +95,8 @@ public:
 private:
     std::string path(const std::string& file) const { return folder_.empty() ? file : folder_ + '/' + file; }
 
-    /// Returns the reason why the verdict has no certificate, or an empty string.
+    /// Returns the reason why the verdict `reported` cannot be certified, or an empty string. `found` is the verdict of
+    /// the repeated search.
     std::string obstacle(const Verdict& reported, const Verdict& found, const TimedResult& result) {
         if (reported.outcome == Outcome::Unknown) return "the verdict is unknown";
         const SearchScope& scope = reported.scope;

@@ -14,8 +14,9 @@ namespace grafverif {
 namespace {
 
 /// The witness circuit of an invariant, and the conditions that the invariant satisfies. The clauses of a condition are
-/// a function of the AIGER files: variable 1 is false, and variable 1 + v + kM represents variable v of the witness in
-/// step k, where M is the greatest variable of the witness.
+/// unsatisfiable if and only if the condition is satisfied. The AIGER files determine the clauses: variable 1 of the
+/// clauses is false, and variable 1 + v + kM represents variable v of the witness in step k. M is the greatest variable
+/// of the witness.
 class Witness {
 public:
     Witness(const std::string& property, const Circuit& circuit, pdr::Literal bad, const std::vector<pdr::Cube>& cubes)
@@ -33,14 +34,14 @@ public:
     const std::string& model() const { return model_; }
     const std::string& text() const { return witness_.text; }
 
-    /// No initial state is outside of the invariant.
+    /// Returns the clauses for the condition that all initial states are in the invariant.
     pdr::Clauses initial() const {
         pdr::Clauses made = steps(1);
         for (const Circuit::Latch& latch : circuit_.latches) made.list.push_back({-of(2 * latch.node, 0)});
         made.list.push_back({of(outside_, 0)});
         return made;
     }
-    /// No step leaves the invariant.
+    /// Returns the clauses for the condition that no step leaves the invariant.
     pdr::Clauses step() const {
         pdr::Clauses made = steps(2);
         for (const Circuit::Latch& latch : circuit_.latches) {
@@ -52,7 +53,7 @@ public:
         made.list.push_back({of(outside_, 1)});
         return made;
     }
-    /// Each state of the invariant satisfies the property.
+    /// Returns the clauses for the condition that each state of the invariant satisfies the property.
     pdr::Clauses safe() const {
         pdr::Clauses made = steps(1);
         made.list.push_back({-of(outside_, 0)});
@@ -71,7 +72,7 @@ private:
         return (in_file & 1U) != 0 ? -variable : variable;
     }
 
-    /// Returns the clauses of the gates in `count` steps.
+    /// Returns the clauses that define the gates of the witness in `count` consecutive steps.
     pdr::Clauses steps(int count) const {
         pdr::Clauses made{1 + most_ * count, {{-1}}};
         for (int step = 0; step < count; ++step)

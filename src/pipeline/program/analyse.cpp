@@ -27,11 +27,11 @@ namespace {
 
 using StatementKind = Program::Statement::Kind;
 
-/// Maximum number of accesses to an output in a scan. Assignments to an output with more accesses are not analysed,
-/// because their terms are deep.
+/// Maximum number of reads and assignments of an output in a scan. Assignments to an output with more accesses are not
+/// analysed, because the terms that describe them would be too deep.
 constexpr std::size_t most_accesses = 1000;
 
-/// Analyses a program in two passes of `visit`: the first collects events, the second reports impossible events.
+/// Analyses a program in two passes of `visit`: the first pass collects events, the second reports impossible events.
 class ProgramAnalysis {
 public:
     ProgramAnalysis(const Program& program, Scan scan)
@@ -81,8 +81,8 @@ private:
         Span origin = {};
     };
 
-    /// The position of a statement in the source. One statement of the source can be several statements of the program,
-    /// such as the assignments of the parts of a structure.
+    /// The position of a statement in the source. One statement of the source can become several statements of the
+    /// program: for example, an assignment to a structure becomes one assignment for each member.
     using Position = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
 
     Position position_of(Id<Program::Statement> id) const {
@@ -132,8 +132,8 @@ private:
         return program_.units[instance.unit].elapsed && scan_.layout.cells[instance.frame].step;
     }
 
-    /// Returns the cell with the output of a timer or with the activity of a step. The value of this cell is false at
-    /// power-on, except for an initial step.
+    /// Returns the memory cell with the output of a timer or with the activity of a step; empty for other instances. At
+    /// power-on, the value of the cell is false, except for an initial step.
     std::optional<std::uint32_t> watched_cell(const ProgramInstance& instance) const {
         const Program::Unit& unit = program_.units[instance.unit];
         if (!unit.elapsed) return {};
@@ -145,7 +145,7 @@ private:
 
     // -- events -------------------------------------------------------------------------------------------------------
 
-    /// True if the event is proved to be impossible; the second pass also adds the finding `about`.
+    /// True if the event is proved to be impossible; in this case, the second pass also adds the finding `about`.
     bool impossible(Id<Expr> event, const Event& about) {
         const Answer answer = answer_to(event);
         if (answer == Answer::Open) analysis_.open.push_back({std::string(about.code), about.subject});
@@ -203,8 +203,8 @@ private:
         analysis_.obstacle = unknown.reason.empty() ? "the engines gave no reason" : unknown.reason;
     }
 
-    /// Adds a possible run-time fault, with a run that the interpreter has replayed. Other findings concern scans up to
-    /// a fault.
+    /// Adds a finding for a possible run-time fault, with a run that the interpreter has replayed. All other findings
+    /// concern only scans before a fault.
     void add_fault(const ProgramSystem& system, const PortfolioResult& result) {
         const Verdict& verdict = result.verdicts.front();
         if (verdict.outcome == Outcome::Holds) return;
@@ -236,7 +236,7 @@ private:
         visit_outputs();
     }
 
-    /// Visits instances, timers and steps. If an instance is never called, its elements are not reported.
+    /// Visits instances, timers and steps. The elements of an instance that is never called are not reported.
     void visit_instances() {
         for (const ProgramInstance& instance : scan_.layout.instances) {
             if (instance.name.empty() || is_generated_name(instance.name) || is_idle(instance.name)) continue;
@@ -244,7 +244,7 @@ private:
                 visit_step(instance);
                 continue;
             }
-            if (is_generated_name(program_.units[instance.unit].name)) {  // generated for an action of a chart
+            if (is_generated_name(program_.units[instance.unit].name)) {  // unit of a chart's action
                 idle_.insert(instance.name + ".");
                 continue;
             }
@@ -275,7 +275,7 @@ private:
     Span origin_of(const ProgramInstance& instance) const {
         const std::size_t dot = instance.name.rfind('.');
         const std::string owner = dot == std::string::npos ? "" : instance.name.substr(0, dot);
-        const std::string own = instance.name.substr(dot + 1);  // if there is no dot, `dot + 1` is 0
+        const std::string own = instance.name.substr(dot + 1);  // without a dot, `dot + 1` is 0
         const std::string_view name = std::string_view(own).substr(0, own.find('['));
         std::vector<Id<Program::Unit>> units = {program_.globals};
         for (const ProgramInstance& each : scan_.layout.instances)
@@ -289,7 +289,7 @@ private:
         return std::ranges::any_of(idle_, [&](const std::string& prefix) { return name.starts_with(prefix); });
     }
 
-    /// True if some scan may call the function block or one of its actions.
+    /// True unless it is proved that no scan calls the function block or one of its actions.
     bool is_called(Id<Program::Unit> block) {
         return block == program_.main || std::ranges::any_of(called_, [&](const auto& call) {
                    return call.first.first == block.index && answer_to(call.second) != Answer::Impossible;
@@ -305,7 +305,7 @@ private:
         const bool block = unit.kind == Kind::FunctionBlock;
         const bool unused = (block || unit.kind == Kind::Program) && !has_instances;
         if (unit.body.empty() && !unused) return;
-        if (unit.owner.valid() && !is_called(unit.owner)) return;  // reported for the owner or its instances
+        if (unit.owner.valid() && !is_called(unit.owner)) return;  // the owner is reported
         unit_ = unit.owner.valid() ? unit.owner : id;
         std::vector<Id<Expr>> reached;
         for (const Id<Program::Statement> statement : unit.body) reached.push_back(reached_[statement.index]);
@@ -327,7 +327,7 @@ private:
     }
 
     void visit(const Program::Body& body) {
-        bool reported = false;  // of several unreachable statements, only the first is reported
+        bool reported = false;  // only the first of several unreachable statements is reported
         for (const Id<Program::Statement> id : body) {
             const Program::Statement& statement = program_.statements[id];
             if (statement.generated) {
@@ -369,7 +369,7 @@ private:
                                    [&](Id<Program::Node> operand) { return depends_on_values(operand); });
     }
 
-    /// Returns two values: true if the condition can be true, and true if the condition can be false.
+    /// Returns two values: whether the condition can be true, and whether the condition can be false.
     std::pair<bool, bool> visit_condition(Id<Program::Node> id) {
         const Program::Node& node = program_.nodes[id];
         const std::string text = term_text(program_, unit_, id);
@@ -384,7 +384,7 @@ private:
                                    fmt::format("the condition `{}` is true in each execution", text), node.origin})};
     }
 
-    /// Visits transitions. A transition that is never enabled is not reported, because a step before it is reported.
+    /// Visits transitions. A transition that is never enabled is not reported, because a preceding step is reported.
     void visit_transitions() {
         for (const Id<Program::Unit> id : program_.units.ids())
             for (const Program::Sequence& sequence : program_.units[id].sequences)
@@ -399,16 +399,16 @@ private:
                 }
     }
 
-    /// The assignments to outputs by one statement of the source.
+    /// The assignments to outputs that one statement of the source makes.
     struct Assignment {
         std::vector<Id<Program::Statement>> statements = {};
         std::vector<std::uint32_t> cells = {};
-        std::vector<Id<Expr>> kept = {};  ///< conditions under which an assigned value is read or is final
+        std::vector<Id<Expr>> kept = {};                         ///< conditions: a value is read or is final
         std::map<Position, Id<Program::Statement>> others = {};  ///< other assignments to the same outputs
     };
 
     /// Visits the assignments to outputs. An assignment is reported if, in every scan, another statement replaces the
-    /// value before a statement reads it. If a run-time fault ends the scan, the value may remain.
+    /// value before a statement reads it. If a run-time fault can end the scan earlier, the assignment is not reported.
     void visit_outputs() {
         for (const auto& [position, assignment] : assignments()) {
             const bool executed = std::ranges::any_of(assignment.statements, [&](Id<Program::Statement> id) {
@@ -436,8 +436,8 @@ private:
             std::map<Position, Id<Program::Statement>> assigned;
             for (const Scan::Execution* access : accesses)
                 if (access->statement.valid()) assigned.emplace(position_of(access->statement), access->statement);
-            // For each assignment: the condition under which the next access to the output is an assignment by another
-            // statement.
+            // For each statement that assigns the output: the condition under which another statement makes the next
+            // access to the output, and this access is an assignment.
             std::map<Position, Id<Expr>> replaced;
             for (const auto& [position, statement] : assigned) {
                 replaced.emplace(position, never());
@@ -468,20 +468,20 @@ private:
 
     const Program& program_;
     Scan scan_;
-    std::vector<Id<Expr>> reached_;       ///< for each statement: the statement is executed in the scan
-    std::vector<Id<Expr>> true_, false_;  ///< for each condition: its value is true, or false, in the scan
-    std::map<std::uint32_t, Id<Expr>> becomes_true_ = {};  ///< for each watched cell: the value true is assigned
-    std::vector<Id<Expr>> cleared_;  ///< for each generated assignment: it assigns true in the scan
+    std::vector<Id<Expr>> reached_;                        ///< for each statement: condition that the scan executes it
+    std::vector<Id<Expr>> true_, false_;                   ///< for each condition: it is evaluated to true, or to false
+    std::map<std::uint32_t, Id<Expr>> becomes_true_ = {};  ///< for each watched cell: true is assigned to it
+    std::vector<Id<Expr>> cleared_;  ///< for each generated assignment: condition that it assigns true
     std::map<std::pair<std::uint32_t, std::uint32_t>, Id<Expr>> called_ = {};  ///< for each block and frame
     /// The assignments to each output and the reads of this output, in the order of the scan.
     std::map<std::uint32_t, std::vector<const Scan::Execution*>> accesses_ = {};
-    std::set<Position> not_only_outputs_ = {};  ///< statements that also assign other variables than outputs
-    std::vector<std::pair<Id<Expr>*, std::vector<Id<Expr>>>> terms_ = {};  ///< the disjunctions that define events
+    std::set<Position> not_only_outputs_ = {};                             ///< statements that assign not only outputs
+    std::vector<std::pair<Id<Expr>*, std::vector<Id<Expr>>>> terms_ = {};  ///< disjunctions that define events
     std::unordered_map<const Id<Expr>*, std::size_t> index_of_terms_ = {};
-    Id<Expr> fault_ = {};  ///< event: a run-time fault occurs in the scan
+    Id<Expr> fault_ = {};  ///< condition: a run-time fault occurs
     bool fault_is_open_ = false;
     std::map<Id<Expr>, std::size_t> goals_ = {};
-    std::vector<Answer> answers_ = {};  ///< the answer for each goal
+    std::vector<Answer> answers_ = {};  ///< for each goal: is the event possible?
     std::set<std::string> idle_ = {};   ///< name prefixes of instances that are never called
     Id<Program::Unit> unit_ = {};
     bool reporting_ = false;

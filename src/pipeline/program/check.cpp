@@ -112,7 +112,8 @@ private:
             for (const Scan::Event& event : scan_.overflows) events.push_back(event.condition);
             return exprs.disjunction(events);
         }
-        // A scan ends at its first fault; therefore the conditions of later faults exclude earlier faults.
+        // A scan ends at its first fault. Therefore the condition of a fault requires that no earlier fault occurs in
+        // the scan.
         Id<Expr> earlier = exprs.constant(false);
         for (const Scan::Event& event : scan_.faults) {
             if (event.fault == property.fault())
@@ -123,7 +124,7 @@ private:
     }
 
     /// Returns the outcome of the property that no run-time fault occurs. A possible fault is reported as a model error
-    /// if no checked property concerns this type of fault.
+    /// if none of the checked properties concerns this type of fault.
     Outcome fault(const Verdict& verdict, const std::optional<SystemRun>& run) {
         if (verdict.outcome != Outcome::Violated || !run) return verdict.outcome;
         ProgramReplay replay = replay_program(program_, scan_, system_, *run, nullptr);
@@ -181,7 +182,7 @@ Model model_of(const Program& program) {
     return model;
 }
 
-/// Checks the properties of `report` that hold again, without each element of the program.
+/// Repeats the check of the properties that hold according to `report`, each time without one element of the program.
 ProofExplanation why_it_holds(const Program& program, const std::vector<ProgramProperty>& properties,
                               const Report& report, const CheckOptions& options) {
     ProofExplanation why;
@@ -201,12 +202,13 @@ ProofExplanation why_it_holds(const Program& program, const std::vector<ProgramP
         element.open = variant.properties;
         Program changed = program;
         drop_element(changed, elements[k]);
-        Diagnostics diagnostics;  // for example, a loop without this statement has no constant bound
+        Diagnostics diagnostics;  // for example, a loop without the element has no constant bound
         auto scan = over() ? std::nullopt : scan_of(changed, diagnostics);
         std::optional<Check> check;
         if (scan) check.emplace(changed, std::move(*scan), properties);
         if (check && check->prepare(variant.properties, diagnostics)) {
-            // The remaining elements have equal shares of the remaining time; a check may use eight shares.
+            // The remaining time is divided into equal shares for the remaining elements; one check may use at most
+            // eight shares.
             variant.limits.deadline = share_of(options.limits.deadline, (elements.size() - k) / 8 + 1);
             ++why.searches;
             for (const PropertyResult& answer : check->report(variant).answers) {

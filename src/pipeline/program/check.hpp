@@ -20,13 +20,14 @@ struct CheckedProgram {
     std::optional<ProofExplanation> why = {};
 };
 
-/// Reads a program and a property file. Returns the model of the program, or nothing after an error.
+/// Reads a program and a property file. Returns the model of the program, or nullopt after an error.
 std::optional<Model> read_program_model(Id<Source> program, Id<Source> properties, Sources& sources,
                                         Diagnostics& diagnostics);
 
-/// `program` is Structured Text or PLCopen XML; `properties` is a property file (docs/reference/programs.md). The
-/// result is empty after an error. If `explains` is true, the properties that hold are checked again without each
-/// statement and without each transition of a Sequential Function Chart.
+/// Checks a PLC program. `program` is Structured Text or PLCopen XML; `properties` is a property file
+/// (docs/reference/programs.md). The result is empty after an error. If `explains` is true, the check of the properties
+/// that hold is repeated for each statement and for each transition of a Sequential Function Chart, without this
+/// element.
 std::optional<CheckedProgram> check_program(Id<Source> program, Id<Source> properties, Sources& sources,
                                             const CheckOptions& options, Diagnostics& diagnostics,
                                             bool explains = false);

@@ -25,7 +25,8 @@ Finding finding(const char* code, const Program::Variable& variable, std::string
     return made;
 }
 
-/// True for an elementary type and for arrays of it. Members of structures have separate initial values.
+/// True for an elementary type and for arrays of an elementary type. A structure is excluded, because each of its
+/// members has its own initial value.
 bool is_elementary(const Program& program, Id<Program::Type> id) {
     const Program::Type& type = program.types[id];
     if (type.kind == Program::Type::Kind::Array) return is_elementary(program, type.element);
@@ -34,7 +35,7 @@ bool is_elementary(const Program& program, Id<Program::Type> id) {
 
 // -- variables that no statement assigns ------------------------------------------------------------------------------
 
-/// Determines the cells that statements assign and read, in all instances.
+/// Determines the memory cells that the statements of all instances assign and read.
 class Accesses {
 public:
     Accesses(const Program& program, const ProgramLayout& layout)
@@ -80,7 +81,8 @@ private:
         for (const Program::Index& index : place.indices) visit(index.value);
     }
 
-    /// Marks all cells that the place can denote. Functions have frames outside of the layout.
+    /// Marks all cells that `place` can denote (several if an array index is not constant). Local variables of
+    /// functions are ignored, because they have no cells in the layout.
     void mark(const Program::Place& place, std::vector<bool>& marks) {
         if (in_function_ && !place.global) return;
         std::vector<std::size_t> cells = {(place.global ? 0 : frame_) + place.offset};
@@ -103,7 +105,8 @@ public:
     std::vector<bool> read, assigned;  ///< per cell of the layout
 };
 
-/// True if the finding can apply to the variable: a variable of the program text that statements are expected to assign.
+/// True if `variable-never-assigned` can apply to the variable: it is declared in the program text, and statements are
+/// expected to assign it.
 bool is_assignable(const Program& program, const Program::Variable& variable, Id<Source> source) {
     const bool section =
         variable.section == Program::Variable::Section::Local || variable.section == Program::Variable::Section::Output;
@@ -144,7 +147,8 @@ void add_unassigned(const Program& program, const ProgramLayout& layout, std::ve
 
 // -- variables that exist during one call -----------------------------------------------------------------------------
 
-/// Finds reads of variables in the body of a unit that no statement before the read assigns, on any path.
+/// Finds variables in the body of a unit that a statement reads although, on all paths to it, no earlier statement
+/// assigns them.
 class CallFlow {
 public:
     CallFlow(const Program& program, const Program::Unit& unit, std::vector<Finding>& findings)
@@ -175,7 +179,7 @@ private:
         if ((statement.kind == StatementKind::Assign || statement.kind == StatementKind::For) &&
             !statement.place.global)
             assigned_.insert(statement.place.offset);
-        // An earlier iteration of a loop may assign what a later iteration reads.
+        // An earlier iteration of a loop may assign a variable that a later iteration reads.
         if (repeats || statement.kind == StatementKind::For || statement.kind == StatementKind::While)
             for (const Program::Arm& arm : statement.arms) add_assigned(arm.body);
         const Cells before = assigned_;

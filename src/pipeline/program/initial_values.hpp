@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// initial_values: variables of a PLC program that statements read before any statement assigns them.
+// Finds variables of a PLC program that are read before any statement assigns them.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,10 @@
 
 namespace grafverif {
 
-/// Returns a finding for each variable without an explicit initial value that no statement assigns and that a statement
-/// or, for an output, the plant reads (`variable-never-assigned`). Returns a finding for each temporary variable and
-/// each variable of a function that is read although no statement before the read assigns it in the same call
-/// (`read-before-assignment`). Both are properties of the text: they apply to every execution of the statement that
+/// Returns a finding `variable-never-assigned` for each variable that has no explicit initial value, that no statement
+/// assigns, and that is an output or is read by a statement. Returns a finding `read-before-assignment` for each
+/// temporary variable and each variable of a function that is read although no earlier statement of the same call
+/// assigns it. Both findings follow from the program text alone: they apply to every execution of the statement that
 /// reads the variable.
 std::vector<Finding> findings_about_initial_values(const Program& program, const ProgramLayout& layout);
 

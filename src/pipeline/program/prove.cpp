@@ -16,16 +16,17 @@ namespace grafverif {
 
 namespace {
 
-/// True if the comparison found a scan that the chart completes and in which the program stops.
+/// True if the comparison found a scan in which the program stops and the chart does not.
 bool only_program_stops(const Comparison& comparison) {
     return comparison.outcome == Comparison::Outcome::Different && comparison.answers[0].back().stop.empty() &&
            !comparison.answers[1].back().stop.empty();
 }
 
-/// Returns a duration of the program that is not a multiple of `resolution_ms`; empty if there is none. If all scans
-/// occur at multiples of the resolution, they do not distinguish such a duration from the next larger multiple.
+/// Returns a duration of the program that is not a multiple of `resolution_ms`, or an empty result if all durations are
+/// multiples. If all scans occur at multiples of the resolution, the comparison does not distinguish such a duration
+/// from the next larger multiple.
 std::optional<std::int64_t> hidden_duration(Id<Source> program, std::int64_t resolution_ms, Sources& sources) {
-    Diagnostics repeated;  // `compare` has already reported these diagnostics
+    Diagnostics repeated;  // ignored, because `compare` has already reported these diagnostics
     const auto side = side_of_program(program, sources, repeated);
     if (!side) return {};
     for (const ProgramTimer& timer : side->scan->layout.timers)

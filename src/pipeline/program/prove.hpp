@@ -12,7 +12,7 @@
 
 namespace grafverif {
 
-/// Largest value that is tried for the maximum number of evolutions if ProofOptions::max_evolutions is empty.
+/// Last value that is tried for the maximum number of evolutions if ProofOptions::max_evolutions is empty.
 inline constexpr std::uint32_t most_proved_evolutions = 128;
 
 struct ProofOptions {
@@ -20,10 +20,10 @@ struct ProofOptions {
     structured_text::Form form = structured_text::Form::PlcopenXml;
     structured_text::Dialect dialect = structured_text::Dialect::Iec;  ///< Iec or Codesys, which can be read
     /// Maximum number of evolutions per cycle. If this member is empty, the numbers 8, 16, ..., most_proved_evolutions
-    /// are tried. The search ends at the first number with which the program stops in no cycle that the chart
+    /// are tried. The search ends at the first number for which the program completes every cycle that the chart
     /// completes.
     std::optional<std::uint32_t> max_evolutions = {};
-    /// The time between scans is a multiple of this value; 1 ms if empty.
+    /// The time between two scans is a multiple of this value; if empty, a multiple of 1 ms.
     std::optional<std::int64_t> resolution_ms = {};
     Limits limits = {};
 };
@@ -35,14 +35,16 @@ struct ProvedText {
     Comparison comparison = {};
 };
 
-/// Compares exactly the returned text with the rules of the chart. The program stops in the scan in which its output
-/// FAULT is not zero. `sources` receives the text, because diagnostics can refer to it. The result is empty after an
-/// error: the chart cannot be expressed, or the text cannot be read as a program or compared.
+/// Returns Structured Text for the chart, and the result of the comparison of exactly this text with the chart. The
+/// program stops in the scan in which its output FAULT is not zero. The function adds the text to `sources`, because
+/// diagnostics can refer to it. The result is empty after an error: the chart cannot be expressed, or the text cannot
+/// be read as a program or compared.
 std::optional<ProvedText> proved_structured_text(const Model& model, Id<Chart> chart, const ProofOptions& options,
                                                  Sources& sources, Diagnostics& diagnostics);
 
-/// Compares a text with the chart that it implements, whose equations determine the names in the text. With a
-/// resolution, the result is Equal only if all durations of the program are multiples of the resolution.
+/// Compares a Structured Text with the chart that it implements. `equations` are the equations of the chart; they
+/// determine the names in the text. With a resolution, the result is Equal only if all durations of the program are
+/// multiples of the resolution.
 std::optional<Comparison> compare_with_text(const Model& model, Id<Chart> chart, const Equations& equations,
                                             const std::string& text, const ProofOptions& options, Sources& sources,
                                             Diagnostics& diagnostics);

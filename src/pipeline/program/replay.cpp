@@ -15,8 +15,8 @@ namespace {
 
 using Kind = ProgramProperty::Kind;
 
-/// True if the last scan violates `property`. If the property states that a condition is reachable: true if the
-/// condition is true in the last scan.
+/// True if the last scan violates `property`. For a property that requires a reachable condition: true if the condition
+/// is true in the last scan.
 bool shows(const ProgramProperty& property, ProgramRun& run) {
     const auto holds = [&](Id<Program::Node> node) { return run.value(node) != 0; };
     switch (property.kind) {
@@ -88,8 +88,8 @@ private:
         return id.valid() ? system_.symbols[id.index] : Id<TransitionSystem::Symbol>{};
     }
 
-    /// Compares the values of the cells before scan `k` with the values in state `k` of the run. Returns a description
-    /// of the first difference; empty if there is none.
+    /// Compares the values of the memory cells before scan `k` with the values in state `k` of the run. Returns a
+    /// description of the first difference, or an empty string if all values are equal.
     std::string compare(std::size_t k) {
         for (std::size_t i = 0; i < scan_.layout.cells.size(); ++i) {
             if (scan_.layout.cells[i].input || !symbol(i).valid()) continue;
@@ -161,8 +161,8 @@ private:
     const ProgramSystem& system_;
     const SystemRun& run_;
     ProgramRun interpreter_;
-    std::vector<std::size_t> shown_ = {};  ///< for each signal, the index of its cell
-    std::vector<std::size_t> steps_ = {};  ///< for each step, the index of its cell
+    std::vector<std::size_t> shown_ = {};  ///< for each signal, the index of its memory cell
+    std::vector<std::size_t> steps_ = {};  ///< for each step, the index of its memory cell
     std::int64_t elapsed_ = 0;             ///< time before the last scan, in milliseconds
     ChartRun trace_ = {};
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Replays a run of the system of a program on the interpreter. The replay confirms the run and determines the values of
-// all variables.
+// Replays a run of the transition system of a program on the interpreter. The replay confirms the run and determines
+// the values of all variables.
 #pragma once
 
 #include <optional>
@@ -14,13 +14,13 @@
 namespace grafverif {
 
 struct ProgramReplay {
-    std::string disagreement = {};  ///< difference from the run of the system; empty if the run is confirmed
+    std::string disagreement = {};  ///< first difference from `run`; empty if the replay confirms the run
     ChartRun trace = {};
-    std::optional<ProgramFault> fault = {};  ///< the fault that ends the run; empty if no fault ends it
+    std::optional<ProgramFault> fault = {};  ///< the run-time fault that ends the run; empty if no fault ends it
 };
 
-/// Replays `run`. The last scan must violate `property` or, for `reachable`, satisfy it. If `property` is null, the
-/// last scan must have a fault.
+/// Replays `run`. The last scan must violate `property` or, if the property requires a reachable condition, satisfy it.
+/// If `property` is null, a run-time fault must occur in the last scan.
 ProgramReplay replay_program(const Program& program, const Scan& scan, const ProgramSystem& system,
                              const SystemRun& run, const ProgramProperty* property);
 

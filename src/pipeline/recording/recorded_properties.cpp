@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t no_column = static_cast<std::size_t>(-1);
 
-/// Returns, for each symbol of the loop, the column of the shared variable that the symbol denotes; `no_column` if the
-/// recording has no such column.
+/// Returns, for each symbol of the loop, the column of the recording with the values of this symbol, or `no_column` if
+/// no column records the symbol.
 std::vector<std::size_t> columns_of(const ClosedLoop& loop, const std::vector<std::string>& names) {
     std::vector<std::size_t> columns;
     for (const ClosedLoop::Symbol& symbol : loop.symbols) {

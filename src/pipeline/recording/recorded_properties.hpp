@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Checks state properties of closed loops on recorded values. A property is violated if its condition is false for
-// recorded values that do not change for more than four times the jitter. If it reads columns with the times of several
-// clocks, this duration is increased by the maximum difference between the offsets of two of these clocks. Combinations
-// of values that last for a shorter time can result from the recording and are not reported. The result assumes that no
-// pulse of an output is missing in the recording.
+// Checks state properties of closed loops on recorded values. A property is violated if its condition is false for a
+// combination of recorded values that lasts for more than four times the jitter. If a property reads columns whose
+// times are from several clocks, this duration is increased by the maximum difference between the offsets of two of
+// these clocks. A combination of values that lasts for a shorter time can be an artefact of the recording, and is not
+// reported. The result assumes that no pulse of an output is missing in the recording.
 #pragma once
 
 #include <cstddef>
@@ -31,9 +31,9 @@ public:
     /// violated`. `model` must outlive the object.
     RecordedProperties(const Model& model, const std::vector<std::string>& names, RecordingTolerance tolerance);
 
-    /// Sets a value of the sample at `time_us`. Times do not decrease.
+    /// Sets the value of a column in the sample at `time_us`. Successive calls must have non-decreasing times.
     void set(std::size_t column, std::int64_t value, std::int64_t time_us, std::uint64_t line);
-    /// Declares that the values set so far are valid until `time_us`, and reports the properties that these values
+    /// Declares that the values set so far are valid until `time_us`, and records which properties these values
     /// violate.
     void pass(std::int64_t time_us);
 

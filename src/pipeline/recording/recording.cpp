@@ -70,7 +70,8 @@ public:
         return true;
     }
 
-    /// Reads the next row. Returns false if there is none, or if all verdicts are final.
+    /// Reads the next row of the log. Returns false if there is no further row, if all verdicts are final, or if the
+    /// check was stopped.
     bool read_row() {
         if (is_decided() || stopped() || !reader_.next(row_)) return false;
         add(row_);
@@ -101,12 +102,12 @@ private:
     /// A chart that is checked against the recording.
     struct CheckedChart {
         const Chart* chart = nullptr;
-        std::vector<Variable> variable_of = {};    ///< for each column: its variable, or an invalid id
-        std::vector<std::size_t> column_of = {};   ///< for each variable: its column + 1, or 0
+        std::vector<Variable> variable_of = {};    ///< for each column: variable, or an invalid id
+        std::vector<std::size_t> column_of = {};   ///< for each variable: column + 1, or 0
         std::vector<std::string> unrecorded = {};  ///< names of the outputs without a column
-        std::vector<std::size_t> clocks = {};      ///< the clocks of its variables, as indices of the options
+        std::vector<std::size_t> clocks = {};      ///< the clocks of the variables: indices of RecordingOptions::clocks
         std::unique_ptr<RecordingCheck> check = {};
-        RecordedSample sample = {};  ///< the values of all rows with the time of the last row
+        RecordedSample sample = {};  ///< all values with the time of the last row
         bool decided = false;
     };
 
@@ -133,7 +134,8 @@ private:
         return column;
     }
 
-    /// Returns the index of the clock of a column in the options + 1, or 0.
+    /// Returns the clock of a column as the index in RecordingOptions::clocks plus 1, or 0 if no clock is declared for
+    /// it.
     std::size_t clock_of_column(const std::string& column) const {
         const auto contains = [&](const RecordingClock& clock) {
             return std::ranges::find(clock.columns, column) != clock.columns.end();
@@ -142,7 +144,7 @@ private:
         return found == options_.clocks.end() ? 0 : static_cast<std::size_t>(found - options_.clocks.begin()) + 1;
     }
 
-    /// Adds the clocks of the columns of `checked` to the settings of its check.
+    /// Adds the clocks that recorded the columns of `checked` to the settings of its check.
     void add_clocks(CheckedChart& checked, RecordingSettings& settings) const {
         settings.clock_of.resize(checked.column_of.size());
         for (std::size_t k = 0; k < checked.column_of.size(); ++k) {
@@ -202,8 +204,8 @@ private:
         return std::ranges::any_of(charts_, [&](const CheckedChart& one) { return one.variable_of[column].valid(); });
     }
 
-    /// Checks the entries of `--map` and `--skew`. Ignores the columns that belong to no variable, and reports their
-    /// names.
+    /// Checks the names in `--map` and `--skew`. Adds a diagnostic with the names of the columns that belong to no
+    /// variable; their values are ignored.
     void check_names() {
         std::vector<std::string> columns, variables, ignored;
         Span first_ignored;
@@ -275,7 +277,8 @@ private:
         checked.sample.values.push_back({id, value.value, value.line});
     }
 
-    /// Passes the current sample to the checks. Must be called after all rows of the sample have been read.
+    /// Passes the current sample to the checks of the charts. Must be called after all rows of the sample have been
+    /// read.
     void finish_sample() {
         if (failed()) return;
         if (report_.samples == 1) check_first();
@@ -284,7 +287,7 @@ private:
             if (!checked.decided) checked.decided = !checked.check->add(checked.sample);
     }
 
-    /// Reports an error if a variable has a column, but no value in the first sample.
+    /// Reports an error if the recording has a column for a variable, but the first sample has no value for it.
     void check_first() {
         std::vector<std::string> names;
         for (const CheckedChart& checked : charts_)
@@ -303,7 +306,7 @@ private:
     LogReader reader_;
     const RecordingOptions& options_;
     Diagnostics& diagnostics_;
-    std::size_t errors_;  ///< number of errors before the check
+    std::size_t errors_;  ///< number of errors in `diagnostics` before the check
     LogRow row_ = {};
     Span first_row_ = {};
     RecordingReport report_ = {};

@@ -30,7 +30,7 @@ namespace {
 
 // -- preconditions ----------------------------------------------------------------------------------------------------
 
-/// Returns `chart` with `steps` as its initial steps. Returns nothing and reports an error if the chart contains a
+/// Returns `chart` with `steps` as its initial steps. Reports an error and returns nullopt if the chart contains a
 /// forcing order to {INIT}, whose meaning would change, or if the situation at power-on would differ from `steps`.
 std::optional<Chart> beginning_with(Chart chart, const std::vector<Id<Chart::Step>>& steps, Diagnostics& diagnostics) {
     for (const Chart::ForcingOrder& order : chart.forcing)
@@ -60,7 +60,7 @@ std::optional<Chart> beginning_with(Chart chart, const std::vector<Id<Chart::Ste
 
 // -- time -------------------------------------------------------------------------------------------------------------
 
-/// Returns all durations of both sides in increasing order, without duplicates.
+/// Returns all durations of both sides in ms, in increasing order and without duplicates.
 std::vector<std::int64_t> durations(const std::array<CompareSide, 2>& sides) {
     std::vector<std::int64_t> found;
     for (const CompareSide& side : sides)
@@ -79,8 +79,8 @@ std::int64_t common_divisor(const std::vector<std::int64_t>& times) {
                            [](std::int64_t one, std::int64_t other) { return std::gcd(one, other); });
 }
 
-/// Returns a time unit that divides all durations, in ms; 0 if no condition depends on time. The unit is small enough
-/// that each timer can start in a different scan, unless such a unit is below 1 ms or lets a timer count beyond 32767.
+/// Returns a time unit that divides all durations, in ms; 0 if no condition depends on time. The unit is so small that
+/// each timer can start in a different scan, unless such a unit is below 1 ms or a timer would count beyond 32767.
 std::int64_t unit_of(const std::array<CompareSide, 2>& sides) {
     const std::vector<std::int64_t> times = durations(sides);
     if (times.empty()) return 0;
@@ -93,8 +93,8 @@ std::int64_t unit_of(const std::array<CompareSide, 2>& sides) {
     return whole / best;
 }
 
-/// Determines the times between scans. Reports an error and returns false if the options do not permit an exact
-/// comparison.
+/// Determines the times between scans. If an exact comparison is impossible with these options, reports an error and
+/// returns false.
 bool set_times(const std::array<CompareSide, 2>& sides, const CompareOptions& options, Comparison& result,
                Diagnostics& diagnostics) {
     const std::vector<std::int64_t> times = durations(sides);
@@ -142,14 +142,14 @@ bool set_times(const std::array<CompareSide, 2>& sides, const CompareOptions& op
     return true;
 }
 
-/// Returns the reason for an unknown result if both sides stop in the last scan, at least one of them because of a
+/// Returns the reason for the result Unknown if both sides stop in the last scan, at least one of them because of a
 /// run-time fault.
 std::string fault_reason(const Comparison::ScanOutputs& a, const Comparison::ScanOutputs& b) {
     const std::string_view who = a.run_time_fault && b.run_time_fault ? "" : a.run_time_fault ? ", a" : ", b";
     return fmt::format("in the last scan, both stop{} because of a run-time fault, which is a model error", who);
 }
 
-/// True if it is known without a check that the side completes every scan for all inputs.
+/// True if the side is known to complete every scan for all inputs, without a check by PDR.
 bool surely_stable(const CompareSide& side, bool settles, const Limits& limits) {
     if (side.is_program()) return !settles;
     AnalyseOptions options;
@@ -167,7 +167,7 @@ public:
                    Comparison& result)
         : sides_(sides), options_(options), sources_(sources), result_(result) {}
 
-    /// True if both sides have the same equations up to names, and programs have no statement that can cause a run-time
+    /// True if both sides have the same equations except for names, and no statement of a program can cause a run-time
     /// fault.
     bool are_identical() const {
         if (sides_[0].is_program() != sides_[1].is_program() || result_.settles) return false;
@@ -177,7 +177,7 @@ public:
                sides_[0].scan->elapsed == sides_[1].scan->elapsed;
     }
 
-    /// Stores the result for two sides with the same equations: they are equal if some inputs satisfy the constraints.
+    /// Stores the result for two sides with the same equations: Equal if some inputs satisfy the constraints.
     void answer_identical() {
         const ProductMachine& both = unrestricted();
         PdrOptions engine;
@@ -221,14 +221,13 @@ private:
         return schedule_both(sides_[0].product(), sides_[1].product(), made);
     }
 
-    /// Returns the product of both sides for any number of scans. The product is built in the first call.
+    /// Returns the product of both sides, without a limit on the number of scans. The first call builds the product.
     const ProductMachine& unrestricted() {
         if (!product_) product_ = product({});
         return *product_;
     }
 
-    /// True if both sides are known to complete every scan under stability search. The value is computed in the first
-    /// call.
+    /// True if both sides are known to complete every scan under stability search. The first call computes the value.
     bool both_stable() {
         if (!stable_)
             stable_ = surely_stable(sides_[0], result_.settles, options_.limits) &&
@@ -236,8 +235,9 @@ private:
         return *stable_;
     }
 
-    /// Returns Equal under two conditions: with constant inputs, the outputs of at least one side always settle; and if
-    /// one side stops, the outputs of the other side settle. Otherwise, the outputs cannot be compared.
+    /// Returns Equal under two conditions: with constant inputs, the outputs of at least one side become constant
+    /// (settle); and if one side stops, the outputs of the other side settle. Otherwise, the outputs cannot be
+    /// compared.
     Answered ask_settling() {
         Answered one = check_properties({"one_follows"}, {});
         if (one.outcome == Comparison::Outcome::Different)
@@ -267,9 +267,8 @@ private:
                 {}};
     }
 
-    /// Reports a possible run-time fault as a model error. Requires that the sides were found equal, so that both stop
-    /// in the same scan; with a run-time fault, this does not prove equality. A fault after both sides have stopped has
-    /// no effect.
+    /// Reports a possible run-time fault as a model error, because equality is then not proved. Requires that the sides
+    /// were found equal, so that both stop in the same scan. A fault after both sides have stopped has no effect.
     void report_faults() {
         if (std::ranges::none_of(
                 sides_, [](const CompareSide& side) { return side.is_program() && !side.scan->faults.empty(); }))
@@ -329,8 +328,8 @@ private:
         return {Comparison::Outcome::Unknown, "no inputs satisfy the constraints of both charts", {}};
     }
 
-    /// Returns the result that the verdicts imply. The property `possible` states that some inputs satisfy the
-    /// constraints; if it is violated, equality holds only vacuously.
+    /// Returns the result that the verdicts of PDR imply. The property `possible` states that some inputs satisfy the
+    /// constraints; if it is violated, the sides are equal only vacuously.
     Answered answered(const ProductMachine& both, const PdrResult& found) const {
         if (found.fault && found.fault->kind == SystemFault::Kind::NoInitialState) return contradiction();
         if (found.fault)
@@ -354,8 +353,8 @@ private:
         return answer;
     }
 
-    /// Returns the scans of the run. The first scan begins at power-on. Each further scan begins after a step of the
-    /// run in which both sides wait.
+    /// Returns the scans of a run of the product. The first scan begins at power-on. Each further scan begins after a
+    /// step of the run in which both sides wait.
     std::vector<Comparison::Scan> scans_of(const ProductMachine& both, const SystemRun& run) const {
         std::vector<Comparison::Scan> scans;
         for (std::size_t k = 0; k < run.states.size(); ++k) {
@@ -369,7 +368,8 @@ private:
         return scans;
     }
 
-    /// Stores the scans up to the first difference, and the results of the interpreters for these scans.
+    /// Stores the scans up to the first difference between the sides, and the outputs that the interpreters compute for
+    /// these scans.
     void take(std::vector<Comparison::Scan> scans) {
         const Lockstep rules = lockstep();
         const std::optional<std::size_t> last = rules.difference(scans);
@@ -389,9 +389,9 @@ private:
         result_.answers = rules.answers(result_.scans);
     }
 
-    /// Searches for a shortest sequence of scans that distinguishes the sides. Under stability search, returns without
-    /// a search if a chart possibly does not become stable. Reason: the property `same` does not detect a scan in which
-    /// only one chart becomes stable.
+    /// Searches for a shortest sequence of scans that distinguishes the sides. Under stability search, does not search
+    /// if a chart possibly does not become stable: the property `same` does not detect a scan in which only one chart
+    /// becomes stable.
     void shorten() {
         if (result_.mode == ExecutionMode::StabilitySearch && !both_stable()) return;
         while (result_.scans.size() > 1) {
@@ -432,7 +432,7 @@ std::optional<CompareSide> chart_side(const Chart& original, const std::vector<I
     return side_of_chart(std::move(*chart), std::move(*equations));
 }
 
-/// Returns the comparison of two sides; empty after an error.
+/// Compares two sides. The result is empty after an error.
 std::optional<Comparison> compared(std::array<CompareSide, 2> sides, const CompareOptions& options,
                                    const ProgramCompareOptions& of_programs, Comparison result, const Sources* sources,
                                    Diagnostics& diagnostics) {
@@ -481,7 +481,7 @@ std::optional<Comparison> compare(const CompareOperand& a, const CompareOperand&
         with_charts = true;
         result.mode = execution_mode(*operand.model, operand.chart, options.mode);
     }
-    if (!with_charts) result.mode = ExecutionMode::EveryCycle;  // a scan is one execution of each program
+    if (!with_charts) result.mode = ExecutionMode::EveryCycle;  // a scan executes each program once
     else if (!a.program.valid() && !b.program.valid())
         result.changes = difference(a.model->charts[a.chart], b.model->charts[b.chart]);
     auto found = compared({std::move(*sides[0]), std::move(*sides[1])}, options, of_programs, std::move(result),

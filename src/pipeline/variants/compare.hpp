@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compares charts and PLC programs. It extends the comparison of charts of the public API.
+// Compares charts and PLC programs. The public API only compares charts.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace grafverif {
 
-/// A chart, or a program if `program` is valid.
+/// An operand of a comparison: a PLC program if `program` is valid, otherwise a chart.
 struct CompareOperand {
     const Model* model = nullptr;
     Id<Chart> chart = {};
@@ -17,8 +17,8 @@ struct CompareOperand {
 };
 
 /// Decides if both operands have equal outputs for all input sequences. If a program has a task with an interval, this
-/// interval is the time between two scans of both operands. If no program has such a task, the time between two scans
-/// is any multiple of the resolution (1 ms by default). The result is empty after an error.
+/// interval is the time between two scans of both operands. Otherwise, the time between two scans is any multiple of
+/// the resolution (1 ms by default). The result is empty after an error.
 std::optional<Comparison> compare(const CompareOperand& a, const CompareOperand& b, const CompareOptions& options,
                                   const ProgramCompareOptions& of_programs, Sources& sources, Diagnostics& diagnostics);
 

@@ -20,7 +20,7 @@ namespace {
 
 using Plug = CompareSide::Plug;
 
-/// True if values of the type, or of one of its elements, cannot be compared because the type is not supported.
+/// True if values of the type cannot be compared, because the type or the type of one of its elements is not supported.
 bool is_unsupported(const Program& program, Id<Program::Type> id) {
     const Program::Type& type = program.types[id];
     if (type.kind == Program::Type::Kind::Array) return is_unsupported(program, type.element);
@@ -31,8 +31,8 @@ bool is_unsupported(const Program& program, Id<Program::Type> id) {
     return type.kind == Program::Type::Kind::Unsupported;
 }
 
-/// Adds the outputs of a unit, and of the instances in this unit, whose types are not supported. `prefix` is the
-/// qualified name of the instance of the unit.
+/// Adds to `side` the outputs whose types are not supported: those of a program unit and of the instances in this unit.
+/// `prefix` is the qualified name of the instance of the unit.
 void add_unsupported_outputs(CompareSide& side, Id<Program::Unit> unit, const std::string& prefix) {
     const Program& program = side.program();
     for (const Program::Variable& variable : program.units[unit].variables) {
@@ -106,7 +106,7 @@ std::optional<CompareSide> side_of_program(Id<Source> source, Sources& sources, 
 
 LockstepSide lockstep_side(const CompareSide& side, bool settles, const Sources* sources) {
     LockstepSide found;
-    std::vector<std::pair<std::size_t, std::size_t>> order;  // index in this side and index among the common inputs
+    std::vector<std::pair<std::size_t, std::size_t>> order;  // index in this side, index among the common inputs
     for (std::size_t i = 0; i < side.inputs.size(); ++i) order.emplace_back(side.inputs[i].own, i);
     std::ranges::sort(order);
     for (const auto& [own, common] : order) found.inputs.push_back(common);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// CompareSide: a chart or a PLC program that is compared, with its inputs and outputs.
+// CompareSide: one of two sides of a comparison (a chart or a PLC program), with its inputs and outputs.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ struct CompareSide {
         std::string name = {};
         Type type = {};
         const Program::Type* program_type = nullptr;  ///< nullptr in a chart
-        std::size_t own = 0;  ///< index among the inputs or outputs of a chart; cell of a program
+        std::size_t own = 0;                          ///< chart: index among inputs or outputs; program: cell
         Id<Equations::Variable> variable = {};
         Span origin = {};
     };
@@ -33,7 +33,7 @@ struct CompareSide {
     std::optional<Equations> chart_equations = {};
     std::optional<ProgramText> text = {};  ///< of a program
     std::optional<Scan> scan = {};         ///< of a program
-    Id<Expr> stop = {};                    ///< only for a program: term that ProductSide contains
+    Id<Expr> stop = {};                    ///< only for a program: the program stops if this term is true
     std::optional<std::size_t> stop_cell = {};
     std::vector<Plug> inputs = {}, outputs = {};
     std::vector<Plug> unsupported = {};  ///< outputs of a program whose types are not supported, such as REAL
@@ -42,18 +42,19 @@ struct CompareSide {
     const Program& program() const { return text->program(); }
     Equations& equations() { return scan ? scan->equations : *chart_equations; }
     const Equations& equations() const { return scan ? scan->equations : *chart_equations; }
-    /// Returns the arguments of the product. This object must outlive the result.
+    /// Returns this side as an argument for the product. This object must outlive the result.
     ProductSide product() const { return {&equations(), scan ? &*scan : nullptr, stop}; }
 };
 
-/// True if the source contains a program: Structured Text, or PLCopen XML.
+/// True if the source contains a PLC program in Structured Text or PLCopen XML.
 bool contains_program(Id<Source> source, Sources& sources);
 
 CompareSide side_of_chart(Chart chart, Equations equations);
-/// Reads a program; empty after an error.
+/// Reads a PLC program. The result is empty after an error.
 std::optional<CompareSide> side_of_program(Id<Source> source, Sources& sources, Diagnostics& diagnostics);
 
-/// Returns the side for the replay. `side` must outlive the result. `sources` is required only for programs.
+/// Returns the side for the replay in lockstep. `side` must outlive the result. `sources` is required only for
+/// programs.
 LockstepSide lockstep_side(const CompareSide& side, bool settles, const Sources* sources);
 
 }  // namespace grafverif

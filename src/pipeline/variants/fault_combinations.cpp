@@ -13,8 +13,8 @@ namespace grafverif {
 std::uint64_t combination_count(const ClosedLoop& loop, std::size_t order) {
     std::vector<std::uint64_t> per_instance(loop.instances.size());
     for (const ClosedLoop::Fault& fault : loop.faults) ++per_instance[fault.of.index];
-    // Entry k: number of combinations of k faults of the instances that were visited; values above the limit are
-    // replaced by the limit plus one.
+    // Entry k is the number of combinations of k faults of the instances that the loop has visited. A value above the
+    // limit is replaced by the limit plus one.
     std::vector<std::uint64_t> counts(std::min<std::size_t>(order, loop.instances.size()) + 1);
     counts[0] = 1;
     for (const std::uint64_t faults : per_instance)

@@ -18,26 +18,27 @@ namespace grafverif {
 
 namespace {
 
-/// Maximum number of pairs for which the program decides if they reveal the fault in every run.
+/// Maximum number of pairs of literals for which a check decides whether the pair reveals the fault in every run.
 constexpr std::size_t most_tried = 6;
-/// Duration of the observer that measures a time, in time units. The engine needs states only for the times that occur.
+/// Duration in time units of the observer that measures the time to detection. A large value costs nothing, because the
+/// engine has states only for the times that occur.
 constexpr std::int64_t longest_units = 1'000'000;
 
-/// Literal 2i is signal i, and literal 2i + 1 is its complement.
+/// Returns literal k: literal 2i is signal i, and literal 2i + 1 is its complement.
 Id<Expr> literal(Network& network, std::size_t k) {
     const Id<Network::Variable> variable = controller_signals(network, true)[k / 2].variable;
     const Id<Expr> positive = network.exprs.leaf(Op::Variable, variable.index);
     return k % 2 == 0 ? positive : network.exprs.negation(positive);
 }
 
-/// Returns the term that is true if both literals of the pair are true; for the pair (k, k), the literal k. `literals`
-/// is the number of literals.
+/// Returns the conjunction of the literals of `pair`; for the pair (k, k), returns literal k. `literals` is the number
+/// of literals.
 Id<Expr> conjunction(Network& network, std::size_t pair, std::size_t literals) {
     const Id<Expr> first = literal(network, pair / literals), second = literal(network, pair % literals);
     return first == second ? first : network.exprs.conjunction(first, second);
 }
 
-/// The term that is true when the fault of the process `instance` occurs.
+/// Returns the term that is true when the fault of the process `instance` occurs.
 Id<Expr> occurs(Network& network, const std::string& instance) {
     for (const Id<Network::Process> id : network.processes.ids())
         if (network.processes[id].name == instance)
@@ -144,7 +145,7 @@ std::vector<std::size_t> FaultDetection::candidates(const std::vector<std::uint3
     for (std::size_t k = 0; k < literals; ++k)
         for (std::size_t l = k; l < literals; ++l) {
             if (!never(k, l) || with_fault[k * literals + l] == 0) continue;
-            // A literal that is never true without faults needs no second literal.
+            // A literal that is never true without faults reveals the fault alone, so no pairs with it are needed.
             if (k == l || (!never(k, k) && !never(l, l))) found.push_back(k * literals + l);
         }
     std::ranges::stable_sort(found, std::greater<>(), [&](std::size_t pair) { return with_fault[pair]; });
@@ -196,7 +197,7 @@ FaultDetection::Proposal FaultDetection::observer(const std::string& name, const
                                                 in_every_run(*chosen),
                                                 {}};
     if (proposal.observer->in_every_run != Outcome::Holds) return proposal;
-    proposal.limit.clear();  // no other condition would be preferred
+    proposal.limit.clear();  // a condition that is true in every run is the best result
     proposal.observer->within_ms =
         longest_time(std::move(after), instance, conditions[static_cast<std::size_t>(chosen - candidates.begin())]);
     return proposal;

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Detection of a fault: the time after which steps and outputs of the controllers show the fault, and a property that
-// reveals a fault that they do not show.
+// Detection of a fault: determines the time after which steps and outputs of the controllers show the fault. For a
+// fault that they do not show, proposes a property that reveals the fault.
 //
-// The networks of this file contain an announced fault (pipeline/variants/fault_model.hpp): its instance is in the last
-// location of its process for an instant, when the fault occurs. A fault is detected if this location leads to a
-// condition that is true in no run without faults.
+// The networks with a fault in this file contain an announced fault (pipeline/variants/fault_model.hpp): when the fault
+// occurs, its instance is in the last location of its process for an instant. A fault is detected if this location
+// leads to a condition that is true in no run without faults.
 //
-// The longest time to this condition is the maximum value of the clock of an observer in all states of a complete
-// search: the clock starts when the fault occurs, and the observer leaves its location when the condition is true. If
+// A complete search determines the longest time to this condition. An observer starts a clock when the fault occurs and
+// leaves its location when the condition is true; the longest time is the maximum value of this clock in all states. If
 // all constraints are closed, this maximum is also the maximum in dense time, because the longest time of a path
 // between two states is attained at integer times. If a constraint is strict, the timed engine does not decide that the
 // fault is always detected, and no time is reported.
 //
 // A proposed property is `never a at stable` or `never a && b at stable`, in which a and b are inputs, outputs or steps
 // of the controllers, or their complements. In the second form, each of a and b is true in some quiescent state without
-// faults. The literals and pairs that are true in some quiescent state with the fault, but in none without faults, are
-// found by complete searches; the engine then decides the property without faults and with the fault.
+// faults. Complete searches find the literals and pairs that are true in some quiescent state with the fault, but in
+// none without faults. Then the engine decides the property without faults and with the fault.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,8 @@
 
 namespace grafverif {
 
-/// A name for properties, and its Boolean variable: `S1`, `X2`; if there are several controllers, `press.X2`.
+/// The name of a step, input or output in properties, and its Boolean variable. Examples: `S1` and `X2`; if there are
+/// several controllers, `press.X2`.
 struct ControllerSignal {
     std::string name = {};
     Id<Network::Variable> variable = {};
@@ -38,20 +39,20 @@ struct ControllerSignal {
 /// Returns the steps and Boolean outputs of all controllers and, if `inputs` is true, their Boolean inputs.
 std::vector<ControllerSignal> controller_signals(const Network& network, bool inputs);
 
-/// Returns the term that is true if one of the steps and outputs `names` is true.
+/// Returns the term that is true if at least one of the steps and outputs `names` is true.
 Id<Expr> any_of_signals(Network& network, const std::vector<std::string>& names);
 
 class FaultDetection {
 public:
-    /// Decides the properties of a network.
+    /// A function that decides the properties of a network.
     using Decide = std::function<std::vector<Verdict>(const Network&)>;
 
     /// Searches visit at most `max_states` states. `network` is the loop without faults. The constructor searches it
     /// for the pairs of literals that `observer` requires.
     FaultDetection(const Network& network, const Limits& limits, std::uint64_t max_states);
 
-    /// Returns whether one of the elements `names` becomes true in every run in which the fault occurs, and the longest
-    /// time. `faulty` contains the announced fault of the process `instance`.
+    /// Decides if at least one of the steps and outputs `names` becomes true in every run in which the fault occurs,
+    /// and returns the longest time to this event. `faulty` contains the announced fault of the process `instance`.
     struct Detected {
         Outcome in_every_run = Outcome::Unknown;
         std::optional<std::int64_t> within_ms = {};
@@ -59,31 +60,32 @@ public:
     Detected detected(Network faulty, const std::string& instance, const std::vector<std::string>& names,
                       const Decide& decide) const;
 
-    /// A property that reveals a fault, or nothing if none was found, and the limit that the search has reached.
+    /// The result of the search for a property that reveals a fault: the property, if one was found, and the limit that
+    /// the search has reached.
     struct Proposal {
         std::optional<FaultAnalysis::Observer> observer = {};
         std::string limit = {};
     };
-    /// Returns a property of the considered form with the name `name` that reveals the fault. If several properties do,
-    /// a property that is violated in every run with the fault is preferred. `decide` must be a check of the loop
-    /// without faults or of the loop with the announced fault.
+    /// Returns a property `never a at stable` or `never a && b at stable` with the name `name` that reveals the fault.
+    /// If there are several, prefers a property that is violated in every run with the fault. `decide_normal` checks
+    /// the loop without faults, and `decide_faulty` checks the loop with the announced fault.
     Proposal observer(const std::string& name, const Network& faulty, const std::string& instance,
                       const Decide& decide_normal, const Decide& decide_faulty) const;
 
 private:
     std::optional<std::int64_t> longest_time(Network network, const std::string& instance, Id<Expr> condition) const;
-    /// Returns the number of quiescent states in which each pair of literals is true; empty if a limit ends the search.
-    /// The pair (k, k) is the literal k.
+    /// Returns, for each pair of literals, the number of quiescent states in which both literals are true. The pair (k,
+    /// k) represents literal k. The result is empty if a limit ends the search.
     std::optional<std::vector<std::uint32_t>> pairs_in(Network network) const;
-    /// Returns the literals and pairs, k * literals + l, that are true only with the fault. Those that are true in most
-    /// states are first.
+    /// Returns the literals and pairs that are true only with the fault. The pair (k, l) has the number k * literals +
+    /// l. The pairs that are true in the most states come first.
     std::vector<std::size_t> candidates(const std::vector<std::uint32_t>& with_fault) const;
 
     const Network& network_;
     Limits limits_;
     std::uint64_t max_states_;
     std::vector<ControllerSignal> signals_;
-    std::optional<std::vector<std::uint32_t>> normal_ = {};  ///< pairs of the loop without faults; empty if unknown
+    std::optional<std::vector<std::uint32_t>> normal_ = {};  ///< result of `pairs_in` for the loop without faults
 };
 
 }  // namespace grafverif

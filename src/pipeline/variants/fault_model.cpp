@@ -31,7 +31,7 @@ public:
         for (const auto& each : made_.locations) location_names_.take(each.name);
     }
 
-    /// Adds the union to the components of `model`. Returns the instance with the union as its component.
+    /// Adds the union to the components of `model`. Returns the faulty instance with the union as its component.
     ClosedLoop::Instance build(Model& model, const ActiveFault& active) {
         made_.name += "_or_" + behaviour_.name;
         const Id<Component::Variable> first_own{static_cast<std::uint32_t>(made_.variables.size())};
@@ -52,8 +52,8 @@ public:
 private:
     std::string fresh(const std::string& name) { return names_.fresh(behaviour_.name + "_" + name); }
 
-    /// Returns the name of a location of the fault. If the fault has only one location, this location has the name of
-    /// the fault.
+    /// Returns the name in the union for a location of the fault. If the fault has only one location, this location has
+    /// the name of the fault.
     std::string location_name(const Component::Location& location) {
         const bool single = faulty_.locations.size() == 1;
         return location_names_.fresh(single ? behaviour_.name : behaviour_.name + "_" + location.name);
@@ -137,7 +137,7 @@ private:
     }
 
     /// Adds the edges by which the fault occurs, and the initial values for an instance whose fault is present from
-    /// power-on. If the fault assigns no value to an output, the initial value of this output is that without the
+    /// power-on. If the fault assigns no value to an output, this output has the same initial value as without the
     /// fault.
     void add_change(bool announced) {
         const Assignments declared = copied(faulty_.locations[behaviour_.initial].initially);

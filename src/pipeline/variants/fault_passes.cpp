@@ -15,7 +15,7 @@ namespace grafverif {
 
 namespace {
 
-/// Maximum number of states of the second pass, which searches only the complete network.
+/// Maximum number of states that the second pass explores. This pass searches only the complete network.
 constexpr std::uint64_t second_states = std::uint64_t{1} << 22U;
 
 /// Adds the results of a later pass to `report`. Verdicts that an earlier pass decided are kept.
@@ -34,10 +34,11 @@ void merge(Report&& later, Report& report) {
 /// The undecided properties of a report.
 struct OpenProperties {
     std::set<std::string> names = {};
-    bool limited = false;  ///< some property is undecided because of the limit on the number of states
+    bool limited = false;  ///< a property is undecided because of the limit on states
 };
 
-/// Every check decides `no timelock`, but the result contains this property only if `timelock` is true.
+/// Returns the undecided properties of `report`. Every check decides `no timelock`, but the result contains this
+/// property only if `timelock` is true.
 OpenProperties open_properties(const Report& report, bool timelock) {
     OpenProperties found;
     for (const PropertyResult& result : report.answers) {

@@ -24,8 +24,8 @@ namespace grafverif {
 
 namespace {
 
-/// Returns the preferred name of the property that is proposed for a fault: `detects_F_1` for the fault `F[1]`, because
-/// only copies have names with indices.
+/// Returns the preferred name of the property that is proposed for a fault. For the fault `F[1]`, the name is
+/// `detects_F_1`, because an index is allowed only in the names of copies.
 std::string observer_name(const std::string& fault) {
     std::string name = "detects_";
     for (const char letter : fault)
@@ -35,12 +35,12 @@ std::string observer_name(const std::string& fault) {
 
 using Indices = std::vector<std::size_t>;
 
-/// True if the verdict `holds` for a combination requires known verdicts for all its subsets. Reason: a state or run
-/// that violates the property without a fault may satisfy it in the model of the combination, in which this fault may
-/// still occur.
+/// True if a property with this pattern can be reported as `holds` for a combination only if its verdicts for all
+/// subsets are known. Reason: a state or run that violates the property without a fault may satisfy it in the model of
+/// the combination, in which this fault may still occur.
 bool needs_subsets(Pattern pattern) { return !is_about_existence(pattern) && !is_about_all_states(pattern); }
 
-/// Returns the name of the property of a row in the model.
+/// Returns the name in the model of the property of a row.
 std::string base_name(const FaultAnalysis::Row& row) { return base_name(row.property, row.pattern); }
 
 /// A combination of faults to check, the rows for which it is checked, and the results.
@@ -77,8 +77,8 @@ private:
     bool stopped() const { return is_over(request_.limits.deadline, request_.limits.stop); }
     const Table<ClosedLoop::Fault>& faults() const { return model_.loops[loop_].faults; }
 
-    /// Builds the model of each single fault, so that errors are reported before the search. Returns false after an
-    /// error.
+    /// Builds the model of each single fault, so that errors in faults are reported before the search. Returns false
+    /// after an error.
     bool faults_are_valid() {
         bool valid = true;
         for (const Id<ClosedLoop::Fault> id : faults().ids()) {
@@ -94,7 +94,7 @@ private:
         return valid;
     }
 
-    /// Returns the options of a check. A check may use at most a quarter of the remaining time.
+    /// Returns the options of one check. A check may use at most a quarter of the remaining time.
     CheckOptions options(unsigned jobs) const {
         CheckOptions options{.properties = request_.properties, .limits = request_.limits, .jobs = jobs};
         options.limits.deadline = share_of(request_.limits.deadline, 4);
@@ -103,7 +103,7 @@ private:
         return options;
     }
 
-    /// Checks the network for the properties of `options` (fault_passes.hpp).
+    /// Checks the properties of `options` for the network, in several passes (fault_passes.hpp).
     Report report_on(const Model& model, const Network& network, CheckOptions options, bool timelock,
                      double expected = 0) const {
         ++checks_;
@@ -111,9 +111,8 @@ private:
     }
 
     /// Returns the expected number of states of the model in which the faults of a combination may occur at any time.
-    /// Each fault multiplies the number of states by the factor by which it multiplies the states of the loop without
-    /// other faults. The result is 0 if the number of states without
-    /// faults or with a single fault is unknown.
+    /// The estimate assumes that each fault multiplies the number of states by the same factor as in the loop without
+    /// other faults. The result is 0 if the number of states without faults or with a single fault is unknown.
     double expected_states(const FaultSet& faults) const {
         if (faults.size() < 2 || states_without_faults_ <= 0) return 0;
         double states = states_without_faults_;
@@ -122,7 +121,7 @@ private:
         return states;
     }
 
-    /// True if the property of the row is requested. A check also decides `no timelock` if this property is not
+    /// True if the user requested the property of the row. Every check decides `no timelock`, even if it is not
     /// requested.
     bool is_requested(const FaultAnalysis::Row& row) const {
         const std::vector<std::string>& names = request_.properties;
@@ -217,8 +216,8 @@ private:
         job.done = !stopped();
     }
 
-    /// True if a property with this pattern must be checked in the model with the faults `present` from power-on. `all`
-    /// is the set of all faults of the combination.
+    /// True if a property with this pattern must be checked in the model in which the faults `present` are present from
+    /// power-on. `all` is the set of all faults of the combination.
     static bool needs(Pattern pattern, std::size_t present, std::size_t all) {
         if (is_about_existence(pattern)) return present == all;
         return present == 0 || pattern == Pattern::Inevitable || pattern == Pattern::Watched;
@@ -260,8 +259,8 @@ private:
                 }
     }
 
-    /// Sets the verdicts for a combination whose model has an error to unknown. Such errors are possible although the
-    /// model of each single fault is valid: the combination may need another time unit, for example.
+    /// Handles an error in the model of a combination: sets the verdicts to unknown. Errors are possible although the
+    /// model of each single fault is valid: for example, the combination may need another time unit.
     static void fail(CombinationCheck& job, const Indices& rows, const Diagnostics& found) {
         const auto error = std::ranges::find(found.all(), Severity::Error, &Diagnostic::severity);
         for (const std::size_t row : rows)
@@ -291,7 +290,7 @@ private:
         for (const std::size_t index : job.rows) apply(job, index);
     }
 
-    /// True if a subset of the combination causes the same model error.
+    /// True if the analysis already contains this model error for a subset of the combination.
     bool has_error(const FaultSet& faults, const ModelErrorTrace& error) const {
         return std::ranges::any_of(analysis_.errors, [&](const FaultAnalysis::Error& each) {
             return each.trace.code == error.code && each.trace.message == error.message &&
@@ -331,7 +330,8 @@ private:
 
     // -- visible effects ------------------------------------------------------------------------------------------
 
-    /// Replaces the properties of a network by one property per element: the element is true in some reachable state.
+    /// Replaces the properties of a network by one property for each step, output and proposed property: it is true in
+    /// some reachable state.
     static void query_visible(Network& network) {
         network.properties = {};
         for (const ControllerSignal& each : controller_signals(network, false))
@@ -340,8 +340,8 @@ private:
                                     .operands = {network.exprs.leaf(Op::Variable, each.variable.index)}});
     }
 
-    /// `yes`: the elements that are true in some reachable state. `no`: the elements that are true in no reachable
-    /// state.
+    /// The steps, outputs and proposed properties that are true in some reachable state (`yes`) and in no reachable
+    /// state (`no`).
     struct Reached {
         std::set<std::string> yes = {}, no = {};
         bool complete = true;
@@ -394,7 +394,7 @@ private:
         return visible;
     }
 
-    /// Decides whether, in every run, at least one of the elements becomes true.
+    /// Decides if at least one of the elements `names` becomes true in every run.
     Outcome shown(const Model& model, Network& network, const std::vector<std::string>& names) const {
         network.properties = {};
         network.properties.add(
@@ -406,8 +406,8 @@ private:
         return Outcome::Unknown;
     }
 
-    /// Decides if the elements that the fault makes true show the fault in every run, and within which time. If they do
-    /// not, looks for a property that does, and that is to be called `name`.
+    /// Decides if every run with fault `k` makes one of the newly true elements true, and determines the longest time
+    /// to this event. If this is not the case, searches for a property with the name `name` that reveals the fault.
     void detect(std::size_t k, const std::string& name, const FaultDetection& detection) {
         FaultAnalysis::Fault& fault = analysis_.faults[k];
         Diagnostics found;
@@ -442,7 +442,7 @@ private:
     Diagnostics& diagnostics_;
     FaultAnalysis analysis_ = {};
     double states_without_faults_ = 0;
-    std::vector<double> states_ = {};  ///< for each fault: number of states with this fault only
+    std::vector<double> states_ = {};  ///< for each fault: number of states with only this fault
     mutable std::atomic<std::size_t> checks_ = 0;
 };
 

@@ -49,8 +49,9 @@ Comparison::Variable variable_of(const Plug& plug) {
 }
 
 /// True if the values of `a` and `b` can be compared exactly. Two enumerations must have the same values in the same
-/// order; the case of these names is ignored, because identifiers of IEC 61131-3 are not case-sensitive. The range in a
-/// chart may differ from the range in a program, but an input of a program must accept each value of the chart's input.
+/// order; the case of these names is ignored, because identifiers of IEC 61131-3 are not case-sensitive. The range of
+/// integers in a chart may differ from the range in a program, but an input of a program must accept each value of the
+/// chart's input.
 bool comparable(const Plug& a, const Plug& b, bool input) {
     if (a.type.boolean != b.type.boolean) return false;
     if (a.type.boolean) return true;
@@ -94,8 +95,8 @@ public:
 private:
     bool with_programs() const { return sides_[0].is_program() || sides_[1].is_program(); }
 
-    /// Sets the names of the sides for messages. If both sides have the same name, `(a)` and `(b)` are appended, as in
-    /// the report.
+    /// Sets the names of the sides for messages. If both sides have the same name, appends `(a)` and `(b)`, as in the
+    /// report.
     void set_labels() {
         const bool equal = same_word(sides_[0].name, sides_[1].name);
         for (const std::size_t k : {0U, 1U}) {
@@ -137,7 +138,7 @@ private:
             unsupported ? "use another type" : remedy);
     }
 
-    /// If side `k` has the output that reports stops, makes this output internal, so that it is not compared.
+    /// If side `k` has the output that `--stop-output` names, makes this output internal, so that it is not compared.
     void take_stop(std::size_t k) {
         CompareSide& side = sides_[k];
         const std::string name = stop_name(k);
@@ -174,7 +175,7 @@ private:
         result_.ignored.erase(std::ranges::unique(result_.ignored).begin(), result_.ignored.end());
     }
 
-    /// True if `name` is the name of the output of side `k` that reports stops.
+    /// True if `name` is the name of the output by which side `k` reports a stop.
     bool reports_stop(std::size_t k, std::string_view name) const {
         return !result_.stop_outputs[k].empty() && same_word(result_.stop_outputs[k], name);
     }
@@ -202,7 +203,7 @@ private:
     }
 
     /// True if each entry of `--map` names an existing input or output of each side, and no name is assigned twice.
-    /// Otherwise adds errors.
+    /// Otherwise, adds errors.
     bool is_valid_map() {
         const std::size_t before = diagnostics_.errors();
         for (std::size_t i = 0; i < options_.map.size(); ++i) {
@@ -263,7 +264,8 @@ private:
         diagnostics_.add(messages::no_such_choice("input or output", name, known, nearest_of(name, known)));
     }
 
-    /// Returns the command-line option that omits this output from the comparison; empty if no option omits it.
+    /// Returns the option of this command line that excludes the output `name` from the comparison; empty if no option
+    /// excludes it.
     std::string omitting_option(const CompareSide& side, std::string_view name) const {
         for (const std::string& ignored : options_.ignored)
             if (same_name(side, ignored, name)) return "--ignore " + ignored;
@@ -282,8 +284,8 @@ private:
     }
 
     /// Returns the counterpart of an input or output of the first side among `rest`, the unassigned inputs or outputs
-    /// of the second side. If a side is a program, a name that differs only in case is accepted if exactly one such
-    /// name exists.
+    /// of the second side. If a side is a program, accepts a name that differs only in case, provided that exactly one
+    /// such name exists.
     Plugs::iterator counterpart(const Plug& plug, Plugs& rest) const {
         if (const auto name = mapped(plug))
             return std::ranges::find_if(rest, [&](const Plug& one) { return is_called(sides_[1], one, *name); });
@@ -368,8 +370,7 @@ private:
     }
 
     /// Renames the inputs and outputs of the second side to the names in the first side. Other variables that already
-    /// have one of these names get another name. The range of each input becomes the one that `pairs` has determined for
-    /// both sides.
+    /// have one of these names get another name. Each input gets the range that `pairs` has determined for both sides.
     void rename() {
         for (const auto member : {&CompareSide::inputs, &CompareSide::outputs})
             for (std::size_t i = 0; i < (sides_[0].*member).size(); ++i)

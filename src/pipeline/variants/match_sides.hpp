@@ -17,7 +17,7 @@ namespace grafverif {
 /// Options for the comparison of programs. If a controller is a program, its variable names are compared
 /// case-insensitively.
 struct ProgramCompareOptions {
-    bool settles = false;  ///< compare the outputs after programs have settled with constant inputs
+    bool settles = false;  ///< compare programs after repeated scans with constant inputs
     std::vector<std::pair<std::string, std::string>> map = {};  ///< name in the first controller, name in the second
     std::vector<std::string> ignored = {};                      ///< outputs that are not compared
     /// Outputs by which programs report a stop: a value other than 0 at the end of a scan. A single name applies to

@@ -20,7 +20,7 @@ CheckOptions quiet_check(const std::vector<std::string>& properties, const Limit
     return {.properties = properties, .witnesses = false, .limits = limits, .jobs = 1};
 }
 
-/// Returns the verdicts on the properties of a closed loop, without the causes of violations.
+/// Returns the verdicts on the properties of a closed loop. The report does not contain the causes of violations.
 std::optional<Report> quiet_report(const Model& model, Id<ClosedLoop> loop, std::optional<ExecutionMode> mode,
                                    const std::vector<std::string>& properties, const Limits& limits,
                                    Diagnostics& diagnostics) {
@@ -44,7 +44,7 @@ std::string first_code(const Diagnostics& diagnostics) {
     return "error";
 }
 
-/// True if `text` has no syntax errors, and formatting does not change it.
+/// True if `text` has no syntax errors and is already in the form that `format` writes.
 bool reads_back(const std::string& text) {
     Sources sources;
     Diagnostics diagnostics;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Mutation testing of a chart: determines which mutants are equivalent, violate a property, or fail its test sequence.
+// Mutation testing of a chart: determines which mutants are equivalent to the chart, violate a property, or fail the
+// test sequence of the chart.
 #pragma once
 
 #include <optional>
@@ -19,13 +20,13 @@ public:
     MutantChecker(const Model& model, Id<Chart> chart, Id<Source> main, const Sources& sources, const ReadOptions& read,
                   std::optional<ExecutionMode> mode);
 
-    /// Decides the properties of the original in at most a quarter of the time limit, and generates its test sequence.
-    /// Returns false if a limit was reached before any property was decided.
+    /// Decides the properties of the original chart in at most a quarter of the time limit, and generates its test
+    /// sequence. Returns false if a limit was reached before any property was decided.
     bool prepare(const Limits& limits);
-    /// Returns the properties of the original with expected verdicts, qualified by their loops: `loop.P1`, or `P1` if
-    /// there is a single loop.
+    /// Returns the properties whose verdict for the original chart is the expected one. If there are several loops, the
+    /// names are qualified, such as `loop.P1`.
     const std::vector<std::string>& properties() const { return properties_; }
-    /// Returns the elements of `properties()` that hold vacuously.
+    /// Returns those elements of `properties()` that hold vacuously.
     const std::vector<std::string>& vacuous() const { return vacuous_; }
     /// Returns the properties that are unknown for the original. Mutants are not checked against these properties.
     const std::vector<std::string>& undecided() const { return undecided_; }
@@ -36,7 +37,7 @@ public:
 
     MutantResult result_of(const Mutant& mutant, const Limits& limits) const;
 
-    /// Returns the model in which the mutant replaces the file that declares the chart, or nothing after an error.
+    /// Returns the model in which the mutant replaces the file that declares the chart, or nullopt after an error.
     std::optional<Model> model_of(const Mutant& mutant, Diagnostics& diagnostics) const;
 
 private:
@@ -47,8 +48,9 @@ private:
         std::vector<std::string> undecided = {};
         bool whole = true;  ///< true if the original has no model error
     };
-    /// True if a mutant changes this chart: the mutated chart, its instances, and charts that contain instances of it.
-    /// Steps of an instance have the positions of the steps of the chart.
+    /// True if a mutant changes the chart `id`: it is the mutated chart, an instance of the mutated chart, or a chart
+    /// that contains such an instance. The steps of an instance have the source positions of the steps of the mutated
+    /// chart.
     bool is_changed(Id<Chart> id) const;
     std::string shown(const OriginalVerdicts& requested, const std::string& property) const;
     void check_model(const Model& mutated, const OriginalVerdicts& requested, const Limits& limits,

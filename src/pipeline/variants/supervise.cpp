@@ -28,7 +28,7 @@ namespace {
 using System = TransitionSystem;
 
 /// Maximum number of states that the timed engine explores in the second proof. If this number is not sufficient, PDR
-/// is used for the second proof.
+/// makes the second proof.
 constexpr std::uint64_t most_timed_states = 2'000'000;
 
 /// Synthesizes conditions for one closed loop, and proves that they enforce the properties.
@@ -107,8 +107,8 @@ private:
         return controllers.size() > 1 ? model_.charts[controllers[id].chart].name + "." + name : name;
     }
 
-    /// Checks in the timed loop without conditions the properties that the untimed model without conditions violates.
-    /// These properties are the elements of `made_.kept` for which `violated` is true.
+    /// Checks those properties for the timed loop without conditions that the untimed model without conditions
+    /// violates. These properties are the elements of `made_.kept` for which `violated` is true.
     void check_timed_without(const std::vector<bool>& violated) {
         std::vector<std::string> names;
         for (std::size_t index = 0; index < violated.size(); ++index)
@@ -138,8 +138,8 @@ private:
         return held_[which.controller][which.permission].subject;
     }
 
-    /// Returns the model. If `--marked` is given, the model has an additional property: the marked situation remains
-    /// reachable.
+    /// Returns the model to restrict. If `--marked` is given, the model has an additional property: the marked
+    /// situation remains reachable.
     std::optional<Model> with_marked_situation() {
         if (request_.marked.empty()) return model_;
         const Id<Source> file = model_.loops[loop_].origin.source;
@@ -149,8 +149,8 @@ private:
                           diagnostics_);
     }
 
-    /// Adds to the charts an input for each permission. Returns false if a chart cannot be restricted because two
-    /// controllers run it.
+    /// Adds an input for each permission to the charts. Returns false if a chart cannot be restricted because two
+    /// controllers execute it.
     bool held_back(Model& model) {
         ClosedLoop& loop = model.loops[loop_];
         UniqueNames names;
@@ -216,8 +216,8 @@ private:
         return requested;
     }
 
-    /// Reports a run that violates a property and that no conditions prevent. All permissions are granted in this run;
-    /// therefore it is also a run of the original loop.
+    /// Reports a run that violates a property although conditions were added, because no conditions can prevent it. All
+    /// permissions are granted in this run; therefore it is also a run of the original loop.
     void report_run(const Model& plain, const Supervisor& found) {
         const auto system = transition_system_of(plain, loop_, untimed(request_), diagnostics_);
         if (!system) return;
@@ -314,8 +314,8 @@ private:
         return made;
     }
 
-    /// Makes the second proof with the timed engine, which uses another type of model. Properties that this engine does
-    /// not decide are proved by PDR.
+    /// Makes the second proof with the timed engine, which uses a network instead of a transition system. If the timed
+    /// engine does not decide a property, PDR proves it.
     void prove_again(const Model& model, Id<ClosedLoop> loop, const SystemToCheck& check) {
         Diagnostics diagnostics;
         std::vector<std::string> names = made_.kept;
@@ -345,9 +345,9 @@ private:
         return names;
     }
 
-    /// Returns the properties that `report` does not prove: those in `names` without a verdict, and those with a
-    /// verdict other than `holds`. If there are such properties, sets the outcome to unknown. Adds an internal failure
-    /// for each violated property.
+    /// Returns the properties in `names` that `report` does not prove: it contains no verdict on them, or a verdict
+    /// other than `holds`. If the result is not empty, sets the outcome to unknown. Adds an internal failure for each
+    /// violated property.
     std::vector<std::string> left_unproved(const Report& report, const std::vector<std::string>& names) {
         made_.failures.insert(made_.failures.end(), report.failures.begin(), report.failures.end());
         for (const ModelErrorTrace& breakdown : report.error_traces) made_.failures.push_back(breakdown.message);
@@ -376,7 +376,7 @@ private:
     Sources& sources_;
     const SuperviseRequest& request_;
     Diagnostics& diagnostics_;
-    std::string marked_ = {};  ///< name of the property that the marked situation remains reachable
+    std::string marked_ = {};  ///< name of the property: the marked situation remains reachable
     std::vector<std::vector<PermittedElement>> held_ = {};  ///< for each controller: its permissions
     std::vector<ObservableVariables> sights_ = {};  ///< for each controller: the variables that conditions may read
     Supervised made_ = {};
@@ -386,8 +386,8 @@ private:
 
 std::optional<Supervised> supervised(const Model& model, Id<ClosedLoop> loop, Id<Source> main, Sources& sources,
                                      const SuperviseRequest& request, Diagnostics& diagnostics) {
-    // Task cycles are rejected: a scan would use the same permissions in all its evolutions, but the supervisor chooses
-    // permissions for each evolution.
+    // Task cycles are rejected, because all evolutions of one scan would use the same permissions, but the supervisor
+    // chooses permissions for each evolution.
     const std::size_t errors = diagnostics.errors();
     for (const ClosedLoop::Controller& controller : model.loops[loop].controllers)
         if (model.charts[controller.chart].program)

@@ -28,8 +28,8 @@ ModelOptions untimed(const SuperviseRequest& request) {
 
 namespace {
 
-/// Returns, for each variable, true if the chart reads it. Outputs that the chart reads are not restricted, because
-/// their values depend on conditions in earlier evolutions.
+/// Returns, for each variable of the chart, true if the chart reads it. Outputs that the chart reads are not
+/// restricted, because their values depend on conditions in earlier evolutions.
 std::vector<bool> read_outputs(const Chart& chart) {
     std::vector<bool> read(chart.variables.size());
     for (std::uint32_t index = 0; index < chart.exprs.size(); ++index) {
@@ -62,8 +62,8 @@ std::vector<PermittedElement> add_permissions(Model& model, ClosedLoop& loop, Id
         held.back().places = {written.transitions[id].origin};
     }
     std::map<std::uint32_t, Id<Expr>> of_output;
-    // An action without the permission, the index of its output in `held`, and the index of the action in `sets` of
-    // this entry.
+    // Each element contains an action without its permission, the index of its output in `held`, and the index of the
+    // action in `sets` of this output.
     std::vector<std::tuple<Chart::ContinuousAction, std::size_t, std::size_t>> unrestricted;
     for (const Chart::ContinuousAction& action : chart.continuous)
         if (request.outputs && !read[action.output.index]) of_output.try_emplace(action.output.index);
@@ -116,7 +116,7 @@ ObservableVariables sight_of(System& system, const System::Controller& controlle
 Id<Expr> initial_situation(TransitionSystem& system, const Model& model, const ClosedLoop& loop) {
     std::vector<Id<Expr>> terms;
     for (std::size_t index = 0; index < system.controllers.size(); ++index) {
-        Diagnostics none;  // no errors can occur, because the system was derived from the same equations
+        Diagnostics none;  // ignored: the same equations were valid before
         const auto equations =
             equations_of(model, loop.controllers[{static_cast<std::uint32_t>(index)}].chart, none).value();
         for (std::size_t step = 0; step < equations.steps.size(); ++step) {

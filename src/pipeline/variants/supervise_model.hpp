@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Derives the closed loop with charts that can be restricted. `supervised` builds the game from this loop.
+// Derives a closed loop whose charts can be restricted by permissions. `supervised` builds the game from this loop.
 #pragma once
 
 #include <optional>
@@ -11,12 +11,13 @@
 
 namespace grafverif {
 
-/// Returns the options of the model for the game and for the proof: untimed, interleaved plant automata, grain atomic.
+/// Returns the options of the model for the game and for the proof: untimed, with interleaved plant automata, grain
+/// atomic (a PLC cycle is one move).
 ModelOptions untimed(const SuperviseRequest& request);
 
 /// A transition or output of a chart, with its permission.
 struct PermittedElement {
-    std::string permission = {};  ///< input of the chart that permits the clearing or setting
+    std::string permission = {};  ///< input of the chart that permits clearing or setting
     std::string subject = {};     ///< name of the transition or output
     bool output = false;
     std::vector<Span> places = {};            ///< positions of the transition, or of the actions of the output
@@ -25,9 +26,9 @@ struct PermittedElement {
         {};  ///< for each action: an output that only this action sets, without restriction; may be empty
 };
 
-/// For each transition and each continuous output of the chart of a controller, adds an input that permits the clearing
-/// or setting. If an output has several actions, an output is also added for each action that sets it only during part
-/// of the activity of its step. `written` is the chart as in the files.
+/// Adds an input to the chart of a controller for each transition, which permits clearing it, and for each continuous
+/// output, which permits setting it. If an output has several actions, also adds an output for each action that sets it
+/// only during part of the activity of its step. `written` is the chart as in the source files.
 std::vector<PermittedElement> add_permissions(Model& model, ClosedLoop& loop, Id<ClosedLoop::Controller> controller,
                                               const Chart& written, const SuperviseRequest& request,
                                               UniqueNames& names);
@@ -45,11 +46,11 @@ ObservableVariables sight_of(TransitionSystem& system, const TransitionSystem::C
 /// Returns a term that is true if exactly the initial steps of every chart are active.
 Id<Expr> initial_situation(TransitionSystem& system, const Model& model, const ClosedLoop& loop);
 
-/// Returns the properties of the system that are to be enforced, or nothing after an error.
+/// Returns the properties of the system to enforce, or nullopt after an error.
 std::optional<std::vector<Id<Property>>> kept(const TransitionSystem& system, const SuperviseRequest& request,
                                               const std::string& marked, Diagnostics& diagnostics);
 
-/// Returns a term that is true in exactly the states that violate the property. Requires a property of single states.
+/// Returns a term that is true exactly in the states that violate the property. Requires a property of single states.
 Id<Expr> violation(TransitionSystem& system, const Property& property);
 
 }  // namespace grafverif

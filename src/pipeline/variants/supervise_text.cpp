@@ -29,7 +29,7 @@ public:
         return joined(term.all ? tree::Op::And : tree::Op::Or, groups);
     }
 
-    /// Returns the conjunction of `old` and `added`; only `added` if `old` is invalid or the constant true.
+    /// Returns the conjunction of `old` and `added`; returns only `added` if `old` is invalid or the constant true.
     Id<tree::Expr> both(Id<tree::Expr> old, Id<tree::Expr> added) {
         if (!old.valid() || file_.exprs[old].op == tree::Op::True) return added;
         std::vector<Id<tree::Expr>> operands = operands_of(old);
@@ -101,7 +101,7 @@ void put(tree::File& file, std::vector<tree::ChartItem>& items, const std::map<s
 }
 
 /// Returns the position of the first transition or continuous action that a `for` declaration replicates. `inside` is
-/// true if the items themselves are inside a `for` declaration.
+/// true if the declaration of `items` is itself inside a `for` declaration.
 std::optional<Span> first_replicated(const std::vector<tree::ChartItem>& items, bool inside) {
     std::optional<Span> first;
     for (const tree::ChartItem& item : items) {

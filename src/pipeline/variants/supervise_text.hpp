@@ -22,8 +22,8 @@ struct NamedTerm {
 /// Returns the term in the syntax of the language.
 std::string text_of(const NamedTerm& term);
 
-/// Returns the position of a transition or continuous action of the chart that is written inside `for`, if there is
-/// one. A condition for one copy cannot be written into the text.
+/// Returns the position of a transition or continuous action inside a `for` declaration of the chart; empty if there is
+/// no such element. A condition cannot be added to only one copy of the element.
 std::optional<Span> replicated_element(const Chart& chart, const Sources& sources);
 
 /// Returns the file in canonical form. Each term is added to the condition of the transition or continuous action that

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The search proceeds in rounds. Each round checks, in parallel, at most one network per open box: the relaxation of
-// the undecided points of the box. Then all transfers are made in a fixed order, so that the result does not depend on
-// the number of threads. If the check of a box decided a verdict, the box continues with its undecided points;
-// otherwise the box is split. For a box with one point, the network of this point is checked.
+// Searches a grid of constants in rounds. Each round checks, in parallel, at most one network per open box of the grid:
+// the relaxation of the box, a network with all runs of its undecided points. Then the verdicts are transferred to
+// points in a fixed order, so that the result does not depend on the number of threads. If the check of a box decided a
+// verdict, the next round checks the undecided points of the box; otherwise the box is split. For a box with one point,
+// the network of this point is checked.
 #include "pipeline/variants/tune.hpp"
 
 #include <algorithm>
@@ -29,9 +30,9 @@ namespace {
 using Row = Tuning::Row;
 using Indices = std::vector<std::size_t>;
 
-/// Number of successive checks of relaxations without a result after which each point of a box is checked separately.
+/// After this number of successive checks of relaxations without a result, each point of a box is checked separately.
 constexpr unsigned most_misses = 2;
-/// The transfer of a run ends after this number of failed points, plus two for each point at which it succeeded.
+/// The transfer of a run to other points ends after this number of failures, plus two for each successful transfer.
 constexpr std::size_t most_failures = 32;
 
 /// Data that determine how the verdicts of a row can be transferred to other points.
@@ -47,16 +48,16 @@ struct OpenBox {
     bool skip = false;    ///< the check of the enclosing box had no result: split this box before the next check
 };
 
-/// A network to check, and the rows and points whose verdicts the result may decide.
+/// A network to check, and the rows and points whose verdicts the check can decide.
 struct Job {
     std::size_t of = 0;  ///< index of the box for which the network is checked
     Relaxation relaxation = {};
-    bool exact = false;  ///< true: the relaxation is the network of each of the points
+    bool exact = false;  ///< true: all `points` have the same network, which is the relaxation
     Indices points = {}, rows = {};
     std::vector<Verdict> verdicts = {};
-    std::map<std::string, PropertyResult> violations = {};  ///< of an exact job: results with runs, by property
+    std::map<std::string, PropertyResult> violations = {};  ///< if `exact`: results with runs, by property
     std::vector<std::string> failures = {};
-    std::optional<ClockFacts> facts = {};  ///< facts about the network; computed when they are first read
+    std::optional<ClockFacts> facts = {};  ///< facts about the network, computed on demand
 };
 
 class Tuner {
@@ -123,7 +124,7 @@ private:
                     .declared = verdict.declared,
                     .origin = verdict.origin};
             row.current = point_verdict(verdict);
-            // A property that the timed engine does not support is unknown at all points.
+            // A property that the timed engine does not support has the verdict unknown at all points.
             const bool unsupported = verdict.obstacle == UnknownReason::Unsupported;
             row.verdicts.assign(tuning_.points, unsupported ? row.current : PointVerdict{});
             tuning_.rows.push_back(std::move(row));
@@ -152,7 +153,7 @@ private:
         ++decided_;
     }
 
-    /// Stores the results for the current values of the constants if they are a point of the grid.
+    /// If the current values of the constants are a point of the grid, stores the results of `report` for this point.
     void note_current(const Report& report) {
         Indices indices;
         for (const TunedConstant& constant : tuning_.constants) {
@@ -178,13 +179,13 @@ private:
         return grafverif::seen_by(std::move(network), kinds_[row].base, kinds_[row].watched, exact);
     }
 
-    /// Stores the run of a violation at a point for the result.
+    /// Stores a run that violates the property of a row at a point, for the report.
     void note_run(std::size_t row, std::size_t point, const Verdict& verdict, const Run& run, bool exact) {
         if (request_.runs > 0 && verdict.outcome == Outcome::Violated)
             runs_.add(row, point, verdict, run, kinds_[row].base, kinds_[row].watched, exact);
     }
 
-    /// Returns the undecided points that agree with `point` on the property of the row (TunePoints::agreement).
+    /// Returns the undecided points that agree with `point` on the property of the row (see TunePoints::agreement).
     Indices open_points(std::size_t row, std::size_t point) {
         Indices found;
         const std::size_t wanted = agreement(row, point);
@@ -241,8 +242,8 @@ private:
         }
     }
 
-    /// Returns the undecided points that agree with the job on the property of the row. If the job checked the network
-    /// of a point, the points next to this point come first.
+    /// Returns the undecided points that agree with the points of the job on the property of the row. If the job
+    /// checked the network of a point, the points nearest to this point come first.
     Indices nearest_points(const Job& job, std::size_t row) {
         std::size_t start = job.points.back();
         for (const std::size_t point : job.points)
@@ -308,7 +309,7 @@ private:
                 const std::size_t before = decided_;
                 const bool last = checked && is_point(boxes[k].box);
                 if (checked) apply(*job++);
-                if (last || !shrink(boxes[k].box)) continue;  // after a stopped check, the point remains unknown
+                if (last || !shrink(boxes[k].box)) continue;  // a stopped check leaves its point unknown
                 if (decided_ > before || is_point(boxes[k].box)) next.push_back({boxes[k].box});
                 else split(boxes[k], checked, next);
             }
@@ -353,11 +354,11 @@ private:
                 .rows = open_rows(point)};
     }
 
-    /// Returns the check to make for a box; nothing if the box must be split before the next check.
+    /// Returns the next check for a box, or nullopt if the box must be split first.
     std::optional<Job> job_of(const OpenBox& open) {
         if (is_point(open.box)) return job_at(tuning_.point(open.box.first));
         if (request_.every_point || open.skip) return {};
-        std::map<std::size_t, Indices> by_row;  // undecided points
+        std::map<std::size_t, Indices> by_row;  // for each row: its undecided points
         std::set<std::size_t> all;
         each_point(open.box, [&](std::size_t point, const Indices&) {
             for (const std::size_t row : open_rows(point))
@@ -366,7 +367,7 @@ private:
                     all.insert(point);
                 }
         });
-        if (all.size() < 3) return {};  // checking each point separately takes at most one more check
+        if (all.size() < 3) return {};  // for one or two points, a relaxation saves at most one check
         std::erase_if(by_row, [&](const auto& row) {
             return std::ranges::any_of(all, [&](std::size_t point) {
                 return agreement(row.first, point) != agreement(row.first, *all.begin());
@@ -433,7 +434,7 @@ private:
     void check(Job& job) {
         const Network network = network_for(job);
         if (job.exact) return check_as_declared(network, job);
-        if (!verify(network).empty()) return;  // no valid network: an urgent edge may violate a relaxed invariant
+        if (!verify(network).empty()) return;  // invalid: an urgent edge may violate a relaxed invariant
         job.verdicts =
             (*search_)(network, names_of(job.rows), search_->efforts().back(), share_of(request_.limits.deadline, 4));
         // The verdict on `no timelock` is transferred first, because the transfer of other verdicts depends on it.
@@ -455,7 +456,7 @@ private:
         job.failures = std::move(report.failures);
     }
 
-    /// Copies the results of a check of the network of a point.
+    /// Copies the results of the check of a point's network from `report` to `job`.
     void take_answers(const Report& report, Job& job) const {
         for (const PropertyResult& answer : report.answers) {
             job.verdicts.push_back(answer.verdict);
@@ -483,7 +484,7 @@ private:
     std::size_t decided_ = 0;             ///< number of decided verdicts
     std::optional<std::size_t> timelock_ = {};
     CheckOptions options_ = {};
-    std::optional<VariantSearch> search_ = {};  ///< checks relaxations
+    std::optional<VariantSearch> search_ = {};  ///< the search that checks relaxations
     /// For each relaxation: the rows for which it was checked.
     std::map<std::pair<const Network*, Relaxation>, Indices> tried_ = {};
 };

@@ -6,10 +6,10 @@
 // (docs/explanation/parameters.md):
 //
 //   equality    the models agree on the processes and on the property
-//   relaxation  the property holds for a network that has all runs of the models of several points
-//   retiming    the run that decides the property at one point is a run at another point, with other delays
+//   relaxation  the verdict on a network that has all runs of the models of several points applies to these points
+//   retiming    a run that decides the property at one point is, with other delays, also a run at another point
 //
-// No verdict follows only from the verdicts at neighbouring points, because monotonicity is never assumed.
+// The search never assumes monotonicity: the verdicts at neighbouring points alone do not imply a verdict.
 #pragma once
 
 #include <string>
@@ -30,13 +30,14 @@ struct TuneRequest {
     ReadOptions read = {};  ///< options with which the model was read
     Limits limits = {};
     unsigned jobs = 0;         ///< threads; 0 selects one per core; the result does not depend on it
-    std::size_t runs = 0;      ///< for each property: maximum number of violated points with a run in the result
-    bool every_point = false;  ///< true: check each point, and do not derive verdicts from other checks
+    std::size_t runs = 0;      ///< for each property: maximum number of points with a run in the result
+    bool every_point = false;  ///< true: check each point; derive no verdict from other checks
 };
 
 /// Decides the properties of `loop`. `main` is the source from which `model` was read; `sources` also contains its
 /// includes. The result is empty after an error: a property does not exist, or the model is rejected for some values.
-/// If a limit is reached, the result contains all verdicts found so far; all other verdicts are unknown, with reason 0.
+/// If a limit is reached, the result contains all verdicts found so far; all other verdicts are unknown, and the number
+/// of their reason is 0.
 std::optional<Tuning> tuned(const Model& model, Id<ClosedLoop> loop, Id<Source> main, const Sources& sources,
                             const TuneRequest& request, Diagnostics& diagnostics);
 

@@ -14,7 +14,8 @@ namespace grafverif {
 
 namespace {
 
-/// Number of points that are read in parallel before their networks are added to the set of frames.
+/// Number of points whose models are read in parallel before their networks are added to the set of frames (networks
+/// without the constants of clock constraints).
 constexpr std::size_t at_once = 64;
 
 /// Adds the property `no timelock` to a network that does not declare it, because every check decides this property.
@@ -96,7 +97,7 @@ bool TunePoints::read_all(std::optional<std::int64_t> unit_ms, const std::functi
         for (std::size_t k = 0; k < reads.size(); ++k) {
             report(first + k, reads[k], diagnostics);
             if (reads[k].diagnostics.has_errors()) return false;
-            if (!reads[k].member) continue;  // the point was not read, because the reading was stopped
+            if (!reads[k].member) continue;  // reading was stopped before this point
             unit_ms_ = std::gcd(unit_ms_, reads[k].member->frame.time_unit_ms);
             points_[first + k].frame = set_.add(std::move(reads[k].member->frame));
             points_[first + k].constants = std::move(reads[k].member->constants);

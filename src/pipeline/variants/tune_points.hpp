@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The networks of all points of a grid, as members of families (ir/network_family.hpp).
+// Reads and stores the networks of all points of a grid. The networks are members of families (ir/network_family.hpp).
 #pragma once
 
 #include <functional>
@@ -24,9 +24,10 @@ public:
     TunePoints(const Model& model, Id<ClosedLoop> loop, Id<Source> main, const Sources& sources,
                const TuneRequest& request, const Tuning& tuning);
 
-    /// Reads the model for each point with the same time unit, a common divisor of the time units of all points. The
-    /// networks contain `no timelock`, even if the loop does not declare it. Returns false after an error: the model is
-    /// rejected for some values. Points that were not read when `stopped` became true are unknown.
+    /// Reads the model for each point. All networks have the same time unit, a common divisor of the time units of all
+    /// points, and contain `no timelock`, even if the loop does not declare it. Returns false after an error: the model
+    /// is rejected for some values. If `stopped` becomes true, the remaining points are not read, and their verdicts
+    /// are unknown.
     bool read(const std::function<bool()>& stopped, Diagnostics& diagnostics);
 
     std::int64_t time_unit_ms() const { return unit_ms_; }
@@ -35,15 +36,15 @@ public:
     const ClockConstants& constants(std::size_t point) const { return points_[point].constants; }
     Network network(std::size_t point) const { return network_of(frame(point), constants(point)); }
     const ClockFacts& facts(std::size_t point);
-    /// Returns the charts of the controllers. The constants determine those of the charts that are instances.
+    /// Returns the charts of the controllers at a point. Only charts that are instances depend on the constants.
     std::vector<const Chart*> charts(std::size_t point) const;
 
-    /// Returns the constant along which a box is split: the constant with the most values. Constants that change more
-    /// than the constants of clock constraints have priority.
+    /// Returns the constant along which a box is split: the constant with the most values. A constant has priority if
+    /// it affects more than the constants of clock constraints.
     std::size_t axis_of(const GridBox& box) const;
 
-    /// Returns a number that is equal for two points if they agree on the processes, apart from the constants of clock
-    /// constraints, and on the property.
+    /// Returns a number that is equal for two points if their networks have the same processes, except for the
+    /// constants of clock constraints, and the same property `property`.
     std::size_t agreement(std::size_t point, const std::string& property);
 
 private:
@@ -53,7 +54,7 @@ private:
         std::optional<ClockFacts> facts = {};
         std::optional<std::size_t> charts = {};  ///< index into charts_; empty if no controller is an instance
     };
-    /// Frames by hash.
+    /// A set of frames (networks without the constants of clock constraints), indexed by hash.
     struct FrameSet {
         std::vector<Network> frames = {};
         std::multimap<std::uint64_t, std::size_t> by_hash = {};
@@ -67,7 +68,7 @@ private:
     };
     void read_point(std::size_t point, std::optional<std::int64_t> unit_ms, Read& read) const;
     bool read_all(std::optional<std::int64_t> unit_ms, const std::function<bool()>& stopped, Diagnostics& diagnostics);
-    /// Adds the errors of a point, and its warnings if there is no warning of this type yet.
+    /// Adds the errors of a point, and those of its warnings whose type was not reported for another point.
     void report(std::size_t point, const Read& read, Diagnostics& diagnostics) const;
 
     const Model& model_;

@@ -19,7 +19,7 @@ namespace grafverif {
 
 namespace {
 
-/// A value of `--over`: `NAME=LOW..HIGH` or `NAME=LOW..HIGH:STEP`.
+/// A value of the option `--over`: `NAME=LOW..HIGH` or `NAME=LOW..HIGH:STEP`.
 struct WrittenRange {
     std::string name = {}, low = {}, high = {}, step = {};
     std::string values() const { return low + ".." + high; }
@@ -38,7 +38,7 @@ std::optional<WrittenRange> split(const std::string& text) {
     return complete ? std::optional(written) : std::nullopt;
 }
 
-/// Reads the values of `--over`.
+/// Reads the values of the option `--over`.
 class RangeReader {
 public:
     RangeReader(const std::vector<std::string>& ranges, const ClosedLoop& loop,
@@ -128,7 +128,7 @@ private:
                           static_cast<double>(constant.step) +
                       1;
         if (points <= static_cast<double>(most_points)) return;
-        const double hours = points / 1000 / 3600;  // reading a small model needs about a millisecond
+        const double hours = points / 1000 / 3600;  // reading a small model takes about 1 ms
         fail(
             {},
             fmt::format("the grid has {:.0f} points, but at most {} are allowed; at one millisecond per point, reading "

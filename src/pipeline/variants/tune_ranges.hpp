@@ -11,8 +11,9 @@
 
 namespace grafverif {
 
-/// Reads the ranges `NAME=LOW..HIGH` or `NAME=LOW..HIGH:STEP` of constants of `loop`. `set` contains the constants that
-/// the option `--set` sets, which cannot have ranges. The result is empty after an error; all errors are reported.
+/// Reads ranges of constants of `loop`, written as `NAME=LOW..HIGH` or `NAME=LOW..HIGH:STEP`. `set` contains the
+/// constants that the option `--set` sets; such a constant cannot have a range. The result is empty after an error; all
+/// errors are reported.
 std::vector<TunedConstant> constants_over(const std::vector<std::string>& ranges, const ClosedLoop& loop,
                                           const std::map<std::string, std::string>& set, Diagnostics& diagnostics);
 

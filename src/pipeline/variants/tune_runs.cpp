@@ -17,7 +17,7 @@ namespace grafverif {
 
 namespace {
 
-/// Returns the distance of a point from the current values, in steps of the grid.
+/// Returns the distance of a point from the current values of the constants, in steps of the grid.
 double distance(const Tuning& tuning, std::size_t point) {
     const std::vector<std::size_t> at = tuning.indices(point);
     double sum = 0;
@@ -42,7 +42,7 @@ Network seen_by(Network network, const std::string& name, bool watched, bool exa
 TuneRuns::Known* TuneRuns::place(std::size_t row, std::size_t point) {
     auto& runs = runs_[row];
     const auto [place, added] = runs.try_emplace({distance(tuning_, point), point});
-    if (!added) return nullptr;  // a run of the point is known
+    if (!added) return nullptr;  // the point already has a run
     if (runs.size() <= most_) return &place->second;
     const auto farthest = std::prev(runs.end());
     Known* const made = farthest == place ? nullptr : &place->second;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The runs that violate properties at points of a grid, for the player of a report.
+// Collects the runs that violate properties at points of a grid. The player of a report replays them.
 #pragma once
 
 #include <cstddef>
@@ -13,27 +13,28 @@
 
 namespace grafverif {
 
-/// Returns the network that decides the property called `name`, with its observer if `watched` is true. An observer has
-/// probes only if `exact` is true: `network` is the network of a point, and not a relaxation.
+/// Returns the network in which the property `name` is decided; if `watched` is true, the network contains the observer
+/// of the property. The observer has probes (properties that detect vacuous verdicts) only if `exact` is true. `exact`
+/// states that `network` is the network of a point, not a relaxation.
 Network seen_by(Network network, const std::string& name, bool watched, bool exact);
 
-/// Collects the runs, and keeps those of the points nearest to the current values.
+/// Collects runs, and keeps only the runs of the points nearest to the current values of the constants.
 class TuneRuns {
 public:
-    /// Stores runs of at most `most` points per row: those nearest to the current values. `tuning` contains the
-    /// constants and must outlive this object.
+    /// For each row, the object keeps runs of at most `most` points. `tuning` contains the constants and must outlive
+    /// this object.
     TuneRuns(const Tuning& tuning, std::size_t most) : tuning_(tuning), most_(most) {}
 
     /// Stores a run that decides `verdict` in the network `seen_by(network of the point, name, watched, exact)`.
     void add(std::size_t row, std::size_t point, const Verdict& verdict, Run run, std::string name, bool watched,
              bool exact);
 
-    /// Stores the result of the check of the model at a point, or of a model that is equal to it. The check has
-    /// replayed the run.
+    /// Stores the result of a check for a point. The checked model is the model at the point or an equal model. The
+    /// check has replayed the run.
     void add(std::size_t row, std::size_t point, const PropertyResult& result);
 
-    /// Adds the runs to `rows` of `tuning`. Each run is replayed on the charts of its point. A run that fails the
-    /// replay becomes an internal error.
+    /// Adds the runs to `rows` of `tuning`, after replaying each run on the charts of its point. If the replay of a run
+    /// fails, an internal error is added instead.
     void write(const TunePoints& points, Tuning& tuning) const;
 
 private:
@@ -43,12 +44,13 @@ private:
         bool watched = false, exact = false;
         std::optional<PropertyResult> result = {};  ///< if present, the other members are not used
     };
-    /// Returns the place for the run of a point; null if `most_` nearer points of the row have runs.
+    /// Returns the object in which the run of a point must be stored; null if the point already has a run, or if
+    /// `most_` nearer points of the row have runs.
     Known* place(std::size_t row, std::size_t point);
 
     const Tuning& tuning_;
     std::size_t most_;
-    /// For each row: runs by distance and point.
+    /// For each row: the runs, ordered by distance and point.
     std::map<std::size_t, std::map<std::pair<double, std::size_t>, Known>> runs_ = {};
 };
 

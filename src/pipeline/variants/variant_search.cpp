@@ -14,11 +14,11 @@ namespace grafverif {
 
 namespace {
 
-/// Lower limits for the maximum number of states of a search: `least_bound` if one pass searches completely,
-/// `least_bound_in_passes` if several passes are made.
+/// Lower limits for the maximum number of states of a search: `least_bound` for a search in one pass,
+/// `least_bound_in_passes` for a search in several passes.
 constexpr std::uint64_t least_bound = 100'000, least_bound_in_passes = std::uint64_t{1} << 20U;
 
-/// Returns `network` with the observer of `property`. The returned network has no other property.
+/// Returns `network` with the observer of `property`, and without all other properties.
 Network with_observer(const Network& network, Id<Property> property) {
     Network made = observed(network, {property});
     const Property decided = element_of(made.properties, network.properties[property].name, &Property::name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads the actions of an AGRAFE document, grouped by the steps to which they are linked.
+// Reads the actions of an AGRAFE document, and assigns them to the steps to which they are linked.
 #include <string>
 
 #include "read/agrafe/reader.hpp"
@@ -32,8 +32,8 @@ tree::Name target(AgrafeReader& reader, pugi::xml_node action) {
     return reader.draft.name(reader.index[*found].name, reader.xml.where(variable, "variableDeclaration"));
 }
 
-/// True if an action has a condition although the type of the action does not permit conditions. Reports such a
-/// condition, so that it is not silently ignored.
+/// True if an action has a condition although the type of the action does not permit conditions. Reports this
+/// condition, because ignoring it silently would change the meaning.
 bool has_stray_condition(AgrafeReader& reader, pugi::xml_node action, std::string_view hint) {
     const pugi::xml_node term = child(action, "term");
     if (!term) return false;

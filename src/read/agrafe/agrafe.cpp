@@ -65,8 +65,8 @@ bool is_enclosing(Kind kind) { return kind == Kind::Enclosing; }
 
 // -- names ------------------------------------------------------------------------------------------------------------
 
-/// Returns the preferred name of a step: `2`, `M2` for a macro-step, `E2` and `S2` for the entry and exit step of an
-/// expansion, according to the numbering of IEC 60848.
+/// Returns the preferred name of a step, according to the numbering of IEC 60848: `2` for an ordinary step, `M2` for a
+/// macro-step, `E2` and `S2` for the entry and exit step of an expansion.
 std::string preferred_name(const AgrafeEntity& step) {
     const std::string id = attribute(step.node, "id") ? value(step.node, "id") : "0";
     switch (step.kind) {
@@ -107,8 +107,8 @@ void name_steps(AgrafeReader& reader) {
     }
 }
 
-/// Gives each transition with an id a name such as `t7`. The name of the partial chart qualifies this name if another
-/// partial chart also has a transition with this id.
+/// Gives each transition with an id a name such as `t7`. If another partial chart also has a transition with this id,
+/// the name of the partial chart precedes the name of the transition.
 void name_transitions(AgrafeReader& reader) {
     std::unordered_map<std::string, std::size_t> taken;
     LegalNames names(LegalNames::Kind::Chart, reader.draft);
@@ -199,7 +199,7 @@ tree::Step step_of(AgrafeReader& reader, std::size_t entity, std::vector<tree::A
     return step;
 }
 
-/// Returns a transition, or nothing if the transition has no links and therefore no effect.
+/// Returns a transition, or nullopt if the transition has no links and therefore no effect.
 std::optional<tree::Transition> transition_of(AgrafeReader& reader, std::size_t entity) {
     const AgrafeEntity& one = reader.index[entity];
     tree::Transition transition;
@@ -236,7 +236,8 @@ std::optional<tree::Transition> transition_of(AgrafeReader& reader, std::size_t 
     return transition;
 }
 
-/// Checks the attribute `enclosingStep` of a partial grafcet: the step that it names must list the partial grafcet.
+/// Checks the attribute `enclosingStep` of a partial grafcet: the step that the attribute names must list this partial
+/// grafcet.
 void check_enclosure(AgrafeReader& reader, std::size_t entity) {
     const AgrafeEntity& partial = reader.index[entity];
     if (!attribute(partial.node, "enclosingStep")) return;
@@ -252,7 +253,7 @@ void check_enclosure(AgrafeReader& reader, std::size_t entity) {
 
 // -- the chart --------------------------------------------------------------------------------------------------------
 
-/// Attaches comments to the element that follows them.
+/// Attaches each comment to the element that follows the comment.
 void keep_comments(AgrafeReader& reader, pugi::xml_node root) {
     for (pugi::xml_node node = root.first_child(); node;) {
         if (node.type() == pugi::node_comment) {
@@ -270,9 +271,9 @@ void keep_comments(AgrafeReader& reader, pugi::xml_node root) {
     }
 }
 
-/// Converts each Boolean variable that continuous actions drive to an output, even if the file declares the variable as
-/// internal or without a type. The conversion preserves the meaning: in a condition, the name of an output stands for
-/// the activity of the steps whose actions drive the output.
+/// Converts each Boolean variable that continuous actions assign to an output, if the file declares the variable as
+/// internal or without a type. The conversion preserves the meaning: a condition that reads an output depends on the
+/// steps whose actions assign it.
 void drive_outputs(AgrafeReader& reader, const tree::File& file, tree::Chart& chart,
                    const std::vector<std::vector<tree::Action>>& actions) {
     std::unordered_set<Id<tree::Word>> driven;

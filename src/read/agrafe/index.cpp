@@ -9,7 +9,7 @@ namespace {
 
 using Kind = AgrafeEntity::Kind;
 
-/// Returns `EnclosingStep` for `xsi:type="grafcet:EnclosingStep"`.
+/// Returns the type of an element, for example `EnclosingStep` for `xsi:type="grafcet:EnclosingStep"`.
 std::string type_of(pugi::xml_node node) { return std::string(local_name(attribute(node, "type").value())); }
 
 std::optional<Kind> kind_of(pugi::xml_node node) {
@@ -25,7 +25,7 @@ std::optional<Kind> kind_of(pugi::xml_node node) {
     return {};
 }
 
-/// True for features with a single element, which are referenced without an index.
+/// True for features that have a single element. References contain no index for these features.
 bool is_single(std::string_view feature) {
     return feature == "entryStep" || feature == "exitStep" || feature == "variableDeclarationContainer";
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reads the arcs of an AGRAFE document. A synchronization is the double line of an AND divergence or convergence: it
-// links the steps on one side with the transitions on the other.
+// links the steps on one side with the transitions on the other side.
 #include <string>
 #include <unordered_set>
 
@@ -46,7 +46,8 @@ void read_arc(AgrafeReader& reader, pugi::xml_node arc) {
     to.in.push_back(*source);
 }
 
-/// Returns the steps or transitions that are linked to the node `start`, directly or through synchronizations.
+/// Returns the steps or transitions to which arcs lead from the node `start`, directly or through synchronizations. If
+/// `backwards` is true, follows the arcs in the opposite direction.
 std::vector<std::size_t> beyond(const AgrafeReader& reader, std::size_t start, bool backwards) {
     std::vector<std::size_t> found, work = {start};
     std::unordered_set<std::size_t> seen = {start};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// AgrafeReader: context for the conversion of an AGRAFE document. The context contains the names of the elements of the
-// document, and its functions convert the document to the tree.
+// AgrafeReader: context of the functions that convert an AGRAFE document to a syntax tree. The context contains the
+// elements of the document and their names.
 #pragma once
 
 #include <optional>
@@ -35,7 +35,7 @@ struct AgrafeEntity {
     };
     Kind kind = Kind::Main;
     pugi::xml_node node = {};
-    std::size_t partial = 0;  ///< the partial chart that contains the element; a partial chart contains itself
+    std::size_t partial = 0;  ///< index of the enclosing partial chart; for a partial chart, its own index
     std::string name = {};    ///< name in the input language; set by the reader
     std::vector<std::size_t> in = {}, out = {};  ///< predecessors and successors through arcs
 };
@@ -68,17 +68,17 @@ struct AgrafeReader {
     AgrafeIndex index;
     Draft& draft;
     std::string chart = {};
-    std::unordered_map<std::string, std::size_t> namesakes = {};  ///< number of steps per name, over all partial charts
+    std::unordered_map<std::string, std::size_t> namesakes = {};  ///< for each name: steps in all partial charts
     std::vector<OpenInteger> integers = {};
-    std::unordered_set<Id<tree::Word>> without_kind = {};  ///< variables without a declared type: inputs by default
+    std::unordered_set<Id<tree::Word>> without_kind = {};  ///< variables without a declared type
 
     Diagnostics& diagnostics() { return draft.diagnostics(); }
 
-    /// Returns the element to which `attribute` of `node` refers, if `accepts` is true for its type. Reports a missing
-    /// or dangling reference; `what` describes the accepted type.
+    /// Returns the index of the element to which `attribute` of `node` refers, if `accepts` is true for the type of
+    /// this element. Reports a missing or dangling reference; `what` describes the accepted type in messages.
     std::optional<std::size_t> reference(pugi::xml_node node, std::string_view attribute, std::string_view what,
                                          bool (*accepts)(AgrafeEntity::Kind));
-    /// Returns all elements in a list of references.
+    /// Returns the indices of all elements in a list of references.
     std::vector<std::size_t> references(pugi::xml_node node, std::string_view attribute, std::string_view what,
                                         bool (*accepts)(AgrafeEntity::Kind));
     /// Returns the integer value of an attribute, or `otherwise` if it is missing or invalid. Reports an invalid value.
@@ -89,19 +89,19 @@ struct AgrafeReader {
 // -- terms.cpp
 /// Converts a term; the result is invalid after an error.
 Id<tree::Expr> agrafe_term(AgrafeReader& reader, pugi::xml_node term);
-/// The times of a transition or an action. Only Kind::Dependent (type timeDependent in AGRAFE) has the form
-/// `t1/term/t2`.
+/// The times of a transition or an action. Only Kind::Dependent (type timeDependent in AGRAFE) represents a time
+/// condition `t1/term/t2`.
 struct AgrafeTime {
     enum class Kind { None, Dependent, Delayed, Limited };
     Kind kind = Kind::None;
     std::int64_t rise_ms = 0, fall_ms = 0;
 };
 AgrafeTime agrafe_time(AgrafeReader& reader, pugi::xml_node node);
-/// Returns `t1/term/t2`.
+/// Returns the time condition `t1/term/t2` with the times t1 and t2 of `time`.
 Id<tree::Expr> timed(AgrafeReader& reader, const AgrafeTime& time, Id<tree::Expr> term, Span where);
 
 // -- actions.cpp
-/// Returns the actions of each element; empty for elements other than steps.
+/// Returns, for each element of the document, its actions. Only steps have actions.
 std::vector<std::vector<tree::Action>> agrafe_actions(AgrafeReader& reader);
 
 // -- links.cpp

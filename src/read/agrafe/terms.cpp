@@ -31,7 +31,8 @@ constexpr Operator operators[] = {
     {"Subtraction", tree::Op::Minus, 2, 2},
 };
 
-/// Returns `X2`, or `G2.X2` if other partial charts also have a step 2.
+/// Returns the step variable of a step, such as `X2`; if other partial charts also have a step 2, returns the qualified
+/// name, such as `G2.X2`.
 Id<tree::Expr> step_variable(AgrafeReader& reader, const AgrafeEntity& step, Span where) {
     const std::string name = 'X' + step.name;
     if (reader.namesakes[step.name] == 1) return reader.draft.variable(name, where);
@@ -67,7 +68,7 @@ Id<tree::Expr> applied(AgrafeReader& reader, const Operator& known, pugi::xml_no
 
 }  // namespace
 
-/// Converts a term. The nesting depth of the document, which is at most 1,000, limits the recursion depth.
+/// Converts a term. The nesting depth of an XML document is at most 1,000, which limits the recursion depth.
 Id<tree::Expr> agrafe_term(AgrafeReader& reader, pugi::xml_node term) {
     const std::string_view type = local_name(attribute(term, "type").value());
     if (type == "Variable") return variable(reader, term);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Conditions of transitions in PLCopen XML: inline Structured Text, a named transition of the POU, or a connected
-// network (FBD, LD).
+// Reads the conditions of transitions in PLCopen XML: inline Structured Text, a named transition of the POU, or a
+// connected network of a Function Block Diagram (FBD) or Ladder Diagram (LD).
 #include "read/plcopen/values.hpp"
 #include "support/messages.hpp"
 
@@ -20,8 +20,8 @@ Id<st::Expr> structured(PlcopenReader& reader, pugi::xml_node text) {
     return reader.file.statements[block.front()].value;
 }
 
-/// Reads a body: Structured Text, or an LD or FBD network that ends in one coil or variable, whose value is the
-/// condition.
+/// Reads the body of a condition: Structured Text, or an LD or FBD network. The network must end in one coil or
+/// variable; its value is the condition.
 Id<st::Expr> body_condition(PlcopenReader& reader, pugi::xml_node body, Span where) {
     if (const pugi::xml_node text = child(body, "ST")) return structured(reader, text);
     for (const std::string_view language : {"LD", "FBD"}) {
@@ -50,7 +50,7 @@ Id<st::Expr> condition_of(PlcopenReader& reader, const st::Unit&, const PlcopenN
     const std::size_t errors = reader.diagnostics().errors();
     Id<st::Expr> found;
     if (const pugi::xml_node reference = child(condition, "reference")) {
-        // If the POU has no transition of this name, the name denotes a Boolean variable.
+        // If the POU has no transition with this name, the name denotes a Boolean variable.
         pugi::xml_node pou = transition;
         while (pou && !is(pou, "pou")) pou = pou.parent();
         const std::string wanted = st::capitals(value(reference, "name"));

@@ -68,7 +68,7 @@ public:
 
 private:
     enum class Mark : std::uint8_t { New, Open, Done };
-    using Top = std::tuple<double, double, std::size_t>;  // y, x and index of the first element of a network
+    using Top = std::tuple<double, double, std::size_t>;  // y, x of the uppermost element, and first index in a network
 
     // -- order --------------------------------------------------------------------------------------------------------
 
@@ -125,7 +125,7 @@ private:
 
     // -- elements -----------------------------------------------------------------------------------------------------
 
-    /// Returns false if the element has no effect. Reports unsupported elements.
+    /// True if the element has an effect and is supported. Reports an unsupported element.
     bool is_accepted(pugi::xml_node node) {
         const std::string_view kind = local_name(node.name());
         for (const std::string_view known : {"inVariable", "outVariable", "inOutVariable", "contact", "coil", "block",
@@ -144,7 +144,7 @@ private:
         return is(node, "block") && !value(node, "instanceName").empty();
     }
 
-    /// Adds the statement of an element. Calls whose outputs the element reads are added before this statement.
+    /// Adds the statement that represents an element. First adds the calls whose outputs the element reads.
     void execute(std::size_t i, std::size_t depth) {
         if (marks_[i] != Mark::New) return;
         const pugi::xml_node node = network_.elements[i];
@@ -172,7 +172,7 @@ private:
         block_.push_back(reader_.file.statements.add(std::move(statement)));
     }
 
-    /// Adds `IF condition THEN statement END_IF`.
+    /// Adds the statement `IF condition THEN statement END_IF`.
     void add_if(Id<st::Expr> condition, st::Statement statement, pugi::xml_node node) {
         const Span where = reader_.xml.where(node);
         statement.where = where;
@@ -251,7 +251,7 @@ private:
         written_[rung_].insert(st::capitals(name));
     }
 
-    /// Reports a block whose type differs from the type of its instance.
+    /// Reports a block whose type differs from the declared type of its instance.
     void check_type(pugi::xml_node node, const std::string& name) {
         const std::string type = st::capitals(value(node, "typeName"));
         if (const auto declared = types_.find(st::capitals(name)); declared != types_.end() && declared->second != type)
@@ -261,7 +261,7 @@ private:
                 '`' + messages::clipped(type) + '`'));
     }
 
-    /// Adds an instance that detects an edge of `clock`, and returns its output.
+    /// Adds an instance of R_TRIG or F_TRIG that detects an edge of `clock`. Returns the output of the instance.
     Id<st::Expr> edge_of(pugi::xml_node node, Id<st::Expr> clock) {
         const std::string edge = value(node, "edge");
         const Span where = reader_.xml.where(node, "edge");
@@ -377,7 +377,7 @@ private:
 
     // -- variables ----------------------------------------------------------------------------------------------------
 
-    /// Returns the variables of a term in capital letters.
+    /// Returns the names of the variables in a term, in capital letters.
     std::vector<std::string> variables(Id<st::Expr> term) const {
         std::vector<std::string> found;
         std::vector<Id<st::Expr>> open = {term};
@@ -408,15 +408,15 @@ private:
 
     st::Unit& unit_;
     const std::unordered_set<std::string>& functions_;
-    std::unordered_map<std::size_t, std::size_t> numbers_ = {};  // index of each element, by the hash value of its node
-    // Type of each variable, by name in capital letters.
+    std::unordered_map<std::size_t, std::size_t> numbers_ = {};  // for each node: index of the element
+    // Type of each variable. The key is the name in capital letters.
     std::unordered_map<std::string, std::string> types_ = {};
     std::vector<Mark> marks_ = {};
-    std::vector<std::size_t> rungs_ = {};  // network of each element
+    std::vector<std::size_t> rungs_ = {};  // for each element: its network
     std::vector<Top> tops_ = {};
-    // For each network: the variables that its already processed elements write.
+    // For each network: the variables that its elements have assigned so far.
     std::unordered_map<std::size_t, std::unordered_set<std::string>> written_ = {};
-    std::unordered_map<std::size_t, std::string> edges_ = {};  // edge instance of each contact or coil
+    std::unordered_map<std::size_t, std::string> edges_ = {};  // R_TRIG or F_TRIG of each contact or coil
     bool ordered_ = false;
     std::size_t rung_ = 0, calls_ = 0, current_ = 0;
     st::Block block_ = {};

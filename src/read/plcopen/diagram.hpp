@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Converts Ladder Diagrams and Function Block Diagrams in PLCopen XML to statements (IEC 61131-3, graphical languages).
 //
-// A network consists of elements that are connected with each other; connections through the power rails do not count.
+// A network consists of elements that are connected with each other by lines, not only through the power rails.
 // Networks are evaluated from top to bottom, by the position of their uppermost element. Networks with equal positions
 // are ordered by their leftmost elements, and then by the order of the file. Within a network, a coil, an assignment or
 // a call follows the calls whose outputs it reads; elements without such a dependency are ordered by position, in the

@@ -16,18 +16,19 @@ bool is_step(pugi::xml_node node) { return is(node, "step") || is(node, "macroSt
 
 // -- connections ------------------------------------------------------------------------------------------------------
 
-/// Returns the steps upstream of a transition, or the transitions upstream of a step, through divergences and
-/// convergences. `wanted` returns true for an element at which a path may end. Reports paths that end at other
-/// elements.
+/// Returns the steps upstream of a transition, or the transitions upstream of a step; follows lines through divergences
+/// and convergences. `wanted` returns true for an element at which a path may end. Reports each path that ends at
+/// another element.
 std::vector<pugi::xml_node> upstream(PlcopenReader& reader, const PlcopenNetwork& network, pugi::xml_node start,
                                      bool (*wanted)(pugi::xml_node), std::string_view hint) {
     std::vector<pugi::xml_node> found, work = {start};
     std::unordered_set<std::size_t> seen = {start.hash_value()};
-    // True if a join precedes the transition. CODESYS writes a join even if all branches but one end in jumps.
+    // True if a convergence precedes the transition. CODESYS writes a convergence even if only one branch does not end
+    // in a jump.
     bool joined = false;
     for (std::size_t i = 0; i < work.size(); ++i) {
         for (const pugi::xml_node& source : sources_of(reader, network, work[i])) {
-            const bool over = is(source, "jumpStep");  // CODESYS also connects the outputs of jump steps
+            const bool over = is(source, "jumpStep");  // CODESYS also writes lines from jump steps
             if (over || !seen.insert(source.hash_value()).second) continue;
             const std::string_view kind = local_name(source.name());
             const bool on_the_way = is(start, "transition")
@@ -82,7 +83,7 @@ st::Association association(PlcopenReader& reader, pugi::xml_node action) {
     return made;
 }
 
-/// Splits a qualifier that includes its time, as CODESYS permits: `D T#2s`.
+/// Splits a qualifier that includes its time, such as `D T#2s`. CODESYS permits this form.
 void split_qualifier(PlcopenReader& reader, st::Association& association, pugi::xml_node action) {
     const std::size_t blank = association.qualifier.find(' ');
     if (blank == std::string::npos) return;
@@ -164,7 +165,8 @@ void read_actions(PlcopenReader& reader, const PlcopenNetwork& network, const st
     for (std::size_t i = 0; i < steps.size(); ++i) codesys_actions(reader, steps[i].node, made.steps[i]);
 }
 
-/// Returns the variables that control the chart, as specified in the settings of the enclosing element.
+/// Returns the implicit variables that control the chart (such as SFCInit), as specified in the settings of the
+/// enclosing element.
 st::ChartFlags flags_of(PlcopenReader& reader, pugi::xml_node chart) {
     st::ChartFlags flags;
     const pugi::xml_node owner = chart.parent().parent();  // the `pou` or `action` that contains `body`
@@ -184,7 +186,7 @@ st::ChartFlags flags_of(PlcopenReader& reader, pugi::xml_node chart) {
     return flags;
 }
 
-/// Returns the elements with the given name from left to right, which is the default order of priority.
+/// Returns the elements with the given name, from left to right. This is the default order of priority.
 std::vector<pugi::xml_node> from_left(const PlcopenNetwork& network, std::string_view name) {
     std::vector<pugi::xml_node> found;
     for (const pugi::xml_node& element : network.elements)
@@ -229,7 +231,7 @@ bool is_connected(pugi::xml_node point) {
 
 std::vector<PlcopenLine> lines_of(PlcopenReader& reader, const PlcopenNetwork& network, pugi::xml_node point) {
     std::vector<PlcopenLine> lines;
-    if (is(point, "continuation")) {  // the line continues at the connector with the same name
+    if (is(point, "continuation")) {  // the line begins at the connector with the same name
         for (const pugi::xml_node& element : network.elements)
             if (is(element, "connector") && value(element, "name") == value(point, "name"))
                 lines.push_back({element, {}});

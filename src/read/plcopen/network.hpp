@@ -16,7 +16,7 @@ struct PlcopenReader {
     const Xml& xml;
     const Sources& sources;
     Draft& draft;
-    bool of_program = false;  ///< true if the result is executed, false if it is converted to a chart
+    bool of_program = false;  ///< true: the result is executed as a program; false: it is converted to a chart
     st::File file = {};
 
     /// Reports a construct that cannot be read.
@@ -53,7 +53,7 @@ struct PlcopenLine {
 /// True if a connection ends at `point`, even if the element at which it begins is missing.
 bool is_connected(pugi::xml_node point);
 
-/// Returns the connections that end at the `connectionPointIn`s of `point`. Reports dangling connections.
+/// Returns the connections that end at the elements `connectionPointIn` of `point`. Reports dangling connections.
 std::vector<PlcopenLine> lines_of(PlcopenReader& reader, const PlcopenNetwork& network, pugi::xml_node point);
 
 /// Returns the elements at which the connections to `point` begin.

@@ -112,7 +112,7 @@ void read_variables(PlcopenReader& reader, pugi::xml_node list, std::vector<st::
     }
 }
 
-/// Returns the unit of a POU with its type, name and variables.
+/// Returns a unit for a POU, with the type, name and variables of the POU.
 st::Unit unit_of(PlcopenReader& reader, pugi::xml_node pou) {
     st::Unit unit;
     const std::string kind = value(pou, "pouType");
@@ -127,8 +127,8 @@ st::Unit unit_of(PlcopenReader& reader, pugi::xml_node pou) {
     return unit;
 }
 
-/// Reads the actions of the POU. Programs and charts can execute actions in Structured Text, and CODESYS programs can
-/// execute actions that are charts. Actions in other languages are rejected later.
+/// Reads the actions of a POU: actions in Structured Text and, in CODESYS programs, actions that are charts. A later
+/// stage rejects actions in other languages.
 void read_actions(PlcopenReader& reader, pugi::xml_node pou, st::Unit& unit) {
     for (const pugi::xml_node& node : children(child(pou, "actions"), "action")) {
         st::Action action;
@@ -156,8 +156,8 @@ std::string remarks(PlcopenReader& reader, pugi::xml_node pou) {
     return text;
 }
 
-/// Returns the descendants of `root` with one of the names, in the order of the file. Descendants of a returned element
-/// are not searched.
+/// Returns the descendants of `root` with one of the names, in the order of the file. Does not search the descendants
+/// of a returned element.
 std::vector<pugi::xml_node> all_of(pugi::xml_node root, std::initializer_list<std::string_view> names) {
     std::vector<pugi::xml_node> found;
     for (pugi::xml_node node = root.first_child(); node;) {
@@ -179,7 +179,7 @@ st::File read_plcopen(const Xml& xml, const Sources& sources, Draft& draft) {
     PlcopenReader reader{xml, sources, draft};
     reader.file.source = xml.source();
     std::vector<pugi::xml_node> pous;
-    pugi::xml_node program;  // a program in Structured Text; reported if there is no chart
+    pugi::xml_node program;  // a program in Structured Text; an error if the file has no chart
     for (const pugi::xml_node& node : all_of(xml.root(), {"globalVars", "pou"})) {
         if (is(node, "globalVars")) read_variables(reader, node, reader.file.globals);
         else if (child(child(node, "body"), "SFC")) pous.push_back(node);
@@ -221,7 +221,7 @@ void read_body(PlcopenReader& reader, pugi::xml_node pou, st::Unit& unit,
     }
 }
 
-/// Returns the milliseconds of an xsd:duration in days and smaller units, such as `PT0.01S`. The result is empty for
+/// Converts an xsd:duration in days and smaller units, such as `PT0.01S`, to milliseconds. The result is empty for
 /// other texts.
 std::optional<std::int64_t> milliseconds(const std::string& text) {
     static const std::regex pattern(
@@ -236,7 +236,7 @@ std::optional<std::int64_t> milliseconds(const std::string& text) {
     return total;
 }
 
-/// Returns the interval of a task: a duration of IEC 61131-3 or of XML Schema.
+/// Returns the interval of a task. The attribute contains a duration of IEC 61131-3 or of XML Schema.
 Id<st::Expr> interval_of(PlcopenReader& reader, pugi::xml_node task) {
     auto known = milliseconds(value(task, "interval"));
     for (const pugi::xml_node& data : children(child(task, "addData"), "data")) {  // settings of CODESYS
@@ -269,7 +269,7 @@ void read_tasks(PlcopenReader& reader, pugi::xml_node resource) {
     const auto instance = [&](pugi::xml_node node, st::Name task) {
         const std::string_view type = !value(node, "typeName").empty() ? "typeName"
                                       : attribute(node, "type")        ? "type"
-                                                                       : "name";  // CODESYS writes the type as name
+                                                                : "name";  // CODESYS writes the type in this attribute
         reader.file.instances.push_back({reader.name(value(node, "name"), reader.xml.where(node, "name")),
                                          task,
                                          reader.name(value(node, type), reader.xml.where(node, type)),
@@ -295,8 +295,8 @@ void read_tasks(PlcopenReader& reader, pugi::xml_node resource) {
     for (const pugi::xml_node& each : children(resource, "pouInstance")) instance(each, {});
 }
 
-/// True if CODESYS, or a tool based on CODESYS, wrote the file. Such a tool adds `data` elements
-/// whose names begin with the address of the vendor.
+/// True if CODESYS, or a tool based on CODESYS, wrote the file. These tools add `data` elements whose names begin with
+/// the address of the vendor.
 bool is_codesys(pugi::xml_node root) {
     for (const pugi::xml_node& data : all_of(root, {"data"}))
         if (value(data, "name").starts_with("http://www.3s-software.com/plcopenxml/")) return true;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Reads PLCopen TC6 XML 1.01, 2.0 and 2.01 to an st tree. Every program and function block whose body is a Sequential
-// Function Chart becomes a unit, as if it were written in the textual form. Graphical elements (divergences, jumps,
-// connections) become transitions between named steps.
+// Reads PLCopen TC6 XML 1.01, 2.0 and 2.01 to the syntax tree of st_tree.hpp. Every program and function block whose
+// body is a Sequential Function Chart becomes a unit with the same tree as its textual form. Graphical elements
+// (divergences, jumps, connections) become transitions between named steps.
 //
-// In the CODESYS dialect, conditions are expressions of connected `inVariable`s. The entry, active and exit actions of
-// a step are given by name in `addData`, in attributes identified by their GUIDs.
+// In the CODESYS dialect, a condition is the expression of a connected `inVariable`. The element `addData` of a step
+// contains the names of its entry, active and exit actions, in attributes that are identified by GUIDs.
 #pragma once
 
 #include "read/draft.hpp"
@@ -13,7 +13,7 @@
 
 namespace grafverif {
 
-/// Reads the charts. Errors and unsupported constructs are reported through `draft`.
+/// Reads the charts of a file. Reports errors and unsupported constructs through `draft`.
 st::File read_plcopen(const Xml& xml, const Sources& sources, Draft& draft);
 
 /// Reads all units of a project, with bodies in Structured Text, LD (ladder diagram), FBD (function block diagram) and

@@ -11,8 +11,8 @@ namespace grafverif {
 
 namespace {
 
-// The maximum number of values of one network. The limit is necessary because each connection copies the expression of
-// its source, so that the number of values can grow exponentially.
+// Maximum number of values of one network. The limit is necessary because each connection copies the expression at its
+// source, so that the number of values can grow exponentially.
 constexpr std::size_t most_values = 100'000;
 
 struct Function {

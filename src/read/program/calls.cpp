@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Call statements. A call of a function block or action becomes assignments to its inputs, the call, and assignments of
-// its outputs. A variable passed as VAR_IN_OUT is copied before and after the call. The copies are equivalent to a
-// reference, because the block cannot name the variable in another way.
+// Reads call statements. A call of a function block or action becomes assignments to its inputs, the call, and
+// assignments of its outputs. A variable passed as VAR_IN_OUT is copied before and after the call. The copies are
+// equivalent to a reference, because the block has no other access to the variable.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -12,8 +12,8 @@
 
 namespace grafverif::program {
 
-/// Returns the action that `path` names: an action of this unit or of an instance. The result is empty if the path does
-/// not end in an action.
+/// Returns the action that `path` denotes: an action of this unit or of an instance. The result is empty if `path`
+/// denotes no action.
 std::optional<Reader::Callee> Reader::action(Id<st::Expr> path) {
     const st::Expr from = file_->exprs[path];
     if (from.op == st::Op::Name) {
@@ -74,7 +74,8 @@ std::optional<Reader::Callee> Reader::callee(Id<st::Expr> path) {
     return Callee{found->place, type.unit, type.unit, found->variable};
 }
 
-/// Adds the statements that copy a variable to a VAR_IN_OUT variable and back. The result is empty after an error.
+/// Adds the statements that copy a variable to the VAR_IN_OUT variable `formal` and back. Returns the copied variable;
+/// empty after an error.
 std::optional<Reader::Found> Reader::pass_in_out(const Found& formal, Id<st::Expr> actual, Program::Body& before,
                                                  Program::Body& after) {
     const Span where = file_->exprs[actual].where;
@@ -107,7 +108,7 @@ void Reader::invoke(Id<st::Expr> call, Program::Body& body) {
         if (program.units[block].variables[i].section == Variable::Section::InOut) shared.push_back(i);
     }
     std::vector<std::uint32_t> assigned;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> passed;  // [begin, end) of variables passed as VAR_IN_OUT
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> passed;  // [begin, end) of cells passed as VAR_IN_OUT
     for (std::size_t i = 1; i < parts.size(); ++i) {
         const st::Expr part = file_->exprs[parts[i]];
         const bool named_one = part.op == st::Op::Argument || part.op == st::Op::Result;

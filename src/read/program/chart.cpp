@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Converts Sequential Function Charts to statements. A step is an instance with the outputs X and T, which counts time
-// while X is true; an action is an instance of its ACTION_CONTROL. In each execution of the body:
+// Converts Sequential Function Charts to statements. A step becomes an instance with the outputs X (activity) and T
+// (time since activation). An action becomes an instance of an ACTION_CONTROL block. In each execution of the body:
 //   - the conditions of enabled transitions are evaluated, by priority; a transition is not cleared if a previous
 //     transition that leaves the same step is cleared. The first execution, in which the initial step is active, clears
 //     no transition, because the effects of the activation of a step precede the test of its downstream transitions;
@@ -51,7 +51,7 @@ Id<Type> Reader::step_type(bool initial) {
     return type = program.types.add({Type::Kind::Block, "STEP", 0, 0, {}, id});
 }
 
-/// Adds a variable that statements cannot name. Returns the first cell of the variable.
+/// Adds a variable that statements of the program cannot access. Returns the first memory cell of the variable.
 std::uint32_t Reader::add_cells(Id<Unit> id, std::string shown, Id<Type> type, Span where, Variable::Section section) {
     Unit& unit = program.units[id];
     Variable made;
@@ -66,8 +66,9 @@ std::uint32_t Reader::add_cells(Id<Unit> id, std::string shown, Id<Type> type, S
     return unit.variables.back().offset;
 }
 
-/// Adds a step or an action. Statements can name its two variables `members`. A step can have the same name as an
-/// elementary variable; an action with the name of a variable is an error.
+/// Adds the variable of a step or an action. Statements of the program can access the two members of the variable,
+/// whose names are `members`. A step may have the same name as an elementary variable; an action with the name of a
+/// variable is an error.
 std::uint32_t Reader::add_cells(Id<Unit> id, st::Name name, std::array<std::string_view, 2> members, Id<Type> type) {
     Scope& scope = scopes_[id.index];
     const auto old = scope.variables.find(name.word.index);
@@ -82,7 +83,8 @@ std::uint32_t Reader::add_cells(Id<Unit> id, st::Name name, std::array<std::stri
     return add_cells(id, text(name.word), type, name.where);
 }
 
-/// Resolves `Step.X`, `Step.T` or `Action.Q` of this unit or of an instance that the expression is allowed to read.
+/// Resolves a path such as `Step.X`, `Step.T` or `Action.Q` in this unit or in an instance that the expression is
+/// allowed to read.
 std::optional<Reader::Found> Reader::chart_member(Id<st::Expr> path) {
     const st::Expr member = file_->exprs[path];
     const st::Expr owner = file_->exprs[member.first];
@@ -137,7 +139,7 @@ void Reader::declare_chart(std::size_t index) {
 
 // -- terms and checks -------------------------------------------------------------------------------------------------
 
-/// Returns the cell of the variable X of a step.
+/// Returns the memory cell of the variable X of a step.
 std::uint32_t Reader::cell_of(Id<st::Word> step) const {
     const std::uint32_t index = scopes_[unit_.index].members.at({step.index, file_->intern("X").index});
     return program.units[unit_].variables[index].offset;
@@ -183,8 +185,8 @@ void Reader::check(Id<Node> fault, Span where, Program::Body& body) {
     body.push_back(program.statements.add(std::move(made)));
 }
 
-/// Adds a check to each transition that may activate an active step according to the structure of the chart. `steps`
-/// contains, for each step, the cell of X.
+/// Adds a run-time check for each transition that may activate an active step according to the structure of the chart.
+/// `steps` contains the memory cell of X for each step.
 void Reader::check_transitions(const st::Network& network, const Chart& chart, const std::vector<std::uint32_t>& steps,
                                Program::Body& body) {
     const auto names = [](const std::vector<st::Name>& list, Id<st::Word> step) {
@@ -217,8 +219,8 @@ void Reader::check_transitions(const st::Network& network, const Chart& chart, c
     }
 }
 
-/// Adds checks that no two associations of an action with different durations are active at the same time. `active`
-/// contains, for each duration, the condition that an association with this duration is active.
+/// Adds run-time checks: no two action blocks with different durations of the same action may be active at the same
+/// time. `active` contains, for each duration, the condition that an action block with this duration is active.
 void Reader::check_durations(const Chart& chart, std::size_t index, const std::vector<Id<Node>>& active,
                              Program::Body& body) {
     if (!chart.checked_actions[index]) return;
@@ -227,8 +229,8 @@ void Reader::check_durations(const Chart& chart, std::size_t index, const std::v
         for (std::size_t j = 0; j < i; ++j) check(all(Op::And, {active[i], active[j]}, where), where, body);
 }
 
-/// Returns the structure of a chart, without the statements that evaluate the transitions. `cells` contains, for each
-/// step, the cell that is true while the step is active.
+/// Returns the structure of a chart, without the statements that evaluate its transitions. `cells` contains, for each
+/// step, the memory cell that is true while the step is active.
 Program::Sequence Reader::sequence_of(const st::Network& network, const std::vector<std::uint32_t>& cells) const {
     Program::Sequence sequence;
     const auto cells_of = [&](const std::vector<st::Name>& steps) {
@@ -283,8 +285,8 @@ Program::Body Reader::chart(std::size_t index) {
     return body;
 }
 
-/// Returns the condition of a transition. An integer, which some tools accept as a condition, causes a warning and is
-/// compared with zero.
+/// Returns the condition of a transition. If the condition is an integer, which some tools accept, compares the integer
+/// with zero and adds a warning.
 std::optional<Id<Node>> Reader::condition_of(Id<st::Expr> root) {
     const Span where = file_->exprs[root].where;
     const auto value = expression(root);
@@ -400,8 +402,8 @@ void Reader::execute(const ChartAction& action, Program::Body& body) {
 
 // -- step times -------------------------------------------------------------------------------------------------------
 
-/// Returns the operands of a comparison. The counted time of a step saturates above the constants with which the time
-/// is compared, because larger values do not change the results.
+/// Returns the operands of a comparison. If the time T of a step is compared with a constant, records the constant: T
+/// can saturate above the greatest constant, because larger values do not change the result.
 std::array<Reader::MaybeTyped, 2> Reader::compared(const std::vector<Id<st::Expr>>& sides) {
     const auto is_member = [&](std::size_t side) { return file_->exprs[sides[side]].op == st::Op::Member; };
     std::array<MaybeTyped, 2> values;

@@ -20,14 +20,14 @@ namespace grafverif::program {
 
 namespace {
 
-/// The declarations and statements of ACTION_CONTROL (IEC 61131-3, 2.6.4.5) for one qualifier. `{0}` is replaced by the
-/// duration, and `{1}` by the condition that resets the action.
+/// The declarations and statements of the block ACTION_CONTROL (IEC 61131-3, 2.6.4.5) for one qualifier. In
+/// `statements`, the duration replaces `{0}`, and the condition that resets the action replaces `{1}`.
 struct Qualifier {
     std::string_view name = {};
     bool timed = false;
     std::string_view variables = {}, statements = {};
-    std::string_view value = {};    ///< term that contributes to Q
-    std::string_view trigger = {};  ///< term that contributes only to A
+    std::string_view value = {};    ///< term that makes Q (and A) true
+    std::string_view trigger = {};  ///< term that makes A true, but not Q
 };
 constexpr std::array qualifiers = {
     Qualifier{"N", false, "", "", "N", ""},
@@ -46,10 +46,10 @@ constexpr std::array qualifiers = {
     Qualifier{"P0", false, "P0_END, P0_OLD : BOOL;", "P0_END := P0_OLD AND NOT P0; P0_OLD := P0;", "", "P0_END"},
 };
 
-/// Returns the text of an ACTION_CONTROL block. Q is the value of the action if the action is a Boolean variable. The
-/// statements of an action are executed while A is true, which includes one scan after Q becomes false (the final
-/// scan). `times` contains the constant durations; if there are several, the inputs `TIME_1`, `TIME_2`, ... select one
-/// of them.
+/// Returns the text of the ACTION_CONTROL block of an action. If the action is a Boolean variable, the output Q is its
+/// value. The statements of an action are executed while the output A is true, which includes one scan after Q becomes
+/// false (the final scan). `times` contains the constant durations; if it contains several, the inputs `TIME_1`,
+/// `TIME_2`, ... select one of them.
 std::string control_text(const ChartAction& action, const std::vector<std::int64_t>& times) {
     const std::string duration = times.empty() ? "T" : fmt::format("T#{}ms", times.front());
     const std::string reset = action.steps.contains("R") ? "R" : "FALSE";
@@ -85,7 +85,7 @@ public:
     ChartReader(st::File& file, std::size_t unit, Sources& sources, Diagnostics& diagnostics)
         : file_(file), unit_(file.units[unit]), sources_(sources), diagnostics_(diagnostics) {}
 
-    /// Reads a CODESYS chart, which can be the body of a unit or an action.
+    /// Reads a chart of CODESYS. The chart is the body of a unit or an action.
     Chart read_codesys(const std::vector<st::Network>& networks) {
         const std::size_t errors = diagnostics_.errors();
         unit_.networks = networks;
@@ -107,7 +107,7 @@ public:
                 action.steps, [](const auto& one) { return one.first != "N" && one.first != "R" && one.first != "S"; });
             if (action.controlled) control(action);
         }
-        std::ranges::stable_sort(chart_.actions, {}, &ChartAction::label);  // actions execute in alphabetical order
+        std::ranges::stable_sort(chart_.actions, {}, &ChartAction::label);  // the order of execution is alphabetical
         if (diagnostics_.errors() == errors) check_safety(network);
         chart_.valid = diagnostics_.errors() == errors;
         return std::move(chart_);
@@ -145,8 +145,8 @@ private:
         order(network);
     }
 
-    /// Determines the actions for which associations with different durations can be active together, which is an error
-    /// according to the standard.
+    /// Determines the actions for which action blocks with different durations can be active simultaneously. According
+    /// to the standard, this is an error.
     void check_durations(const Marking& marking) {
         for (std::size_t i = 0; i < chart_.actions.size(); ++i) {
             const auto active = [&](const std::vector<Id<st::Word>>& steps) {
@@ -300,7 +300,8 @@ private:
         if (qualifier->timed) times_[static_cast<std::size_t>(action - chart_.actions.data())].push_back(&association);
     }
 
-    /// Returns the value of a duration literal or of a constant.
+    /// Returns the value in milliseconds of a duration literal or of a constant with a literal as its value; empty for
+    /// other expressions.
     std::optional<std::int64_t> duration(Id<st::Expr> expr) const {
         const st::Expr& node = file_.exprs[expr];
         if (node.op == st::Op::Time) return node.value;
@@ -316,8 +317,8 @@ private:
         return {};
     }
 
-    /// Adds the action control. According to the standard, it is an error if two associations with durations are active
-    /// together.
+    /// Generates the ACTION_CONTROL block of an action. According to the standard, it is an error if two action blocks
+    /// with durations are active simultaneously.
     void control(ChartAction& action) {
         const auto& timed = times_[static_cast<std::size_t>(&action - chart_.actions.data())];
         std::vector<std::int64_t> times;
@@ -351,13 +352,14 @@ private:
         const st::Text all = {{{source, 0, static_cast<std::uint32_t>(body.size())}, false}};
         action.control = file_.units.size();
         st::parse_programs(all, file_, sources_, diagnostics_);
-        // This name is unique, because `control` is the index of the unit in the file.
+        // The name is unique, because it contains the index of the unit in the file.
         file_.units.back().name.word = file_.intern(fmt::format("ACTION_CONTROL {}", action.control));
     }
 
-    /// Finds the transitions that can activate an active step in some situation. Conditions are ignored. The
-    /// simultaneous clearing of several transitions has the same effect as clearing them in sequence. If a chart has
-    /// too many situations, every transition is assumed to activate an active step.
+    /// Finds the transitions that can activate an active step in some situation. The search ignores conditions and
+    /// clears transitions one by one, because the simultaneous clearing of several transitions has the same effect as
+    /// clearing them in sequence. If a chart has too many situations, every transition is assumed to activate an active
+    /// step.
     void check_safety(const st::Network& network) {
         chart_.checked.assign(network.transitions.size(), false);
         chart_.checked_actions.assign(chart_.actions.size(), false);
@@ -398,9 +400,9 @@ private:
     Sources& sources_;
     Diagnostics& diagnostics_;
     Chart chart_ = {};
-    std::unordered_map<std::uint32_t, std::size_t> index_ = {};  ///< index of each step, by the index of its name
+    std::unordered_map<std::uint32_t, std::size_t> index_ = {};  ///< for each step name: index of the step
     std::unordered_map<std::uint32_t, const st::Action*> actions_ = {};
-    /// The associations with a duration, by action.
+    /// For each action: its action blocks with a duration.
     std::vector<std::vector<const st::Association*>> times_ = {};
 };
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Converts Sequential Function Charts of CODESYS to statements. Source: the pages "Processing Order in SFC", "SFC
-// Element: Action", "Qualifiers for Actions in SFC", "SFC Flags" and "Implicit Variables" of the CODESYS Online Help.
-// A step has three variables: X and _X are true if the step is active in this execution and in the next execution; t is
-// the time since the activation of the step. Only transitions of the same chart can read t. Each execution of a chart:
+// Element: Action", "Qualifiers for Actions in SFC", "SFC Flags" and "Implicit Variables" of the CODESYS Online Help. A
+// step has three variables: X is true if the step is active in this execution, and _X if it is active in the next
+// execution; t is the time since the activation of the step. Only transitions of the same chart can read t. Each
+// execution of a chart:
 //   1. copies _X to X; executes exit actions of deactivated steps, then entry actions of activated steps, then actions
 //      of active steps, each in the order of the file, which is the order of the drawing;
 //   2. executes the actions of action blocks in alphabetical order: first the actions that end, then the actions whose
@@ -11,9 +12,9 @@
 //   3. evaluates the transitions of active steps, which determine _X; if several transitions after one step are
 //      enabled, the leftmost transition is cleared.
 //
-// Where the documentation does not define the behaviour, an interpretation is chosen and reported by a warning:
-//   - S and R of a Boolean variable set and reset one stored value per instance, which all charts of the instance
-//     share; while R is active, the variable is false;
+// If the documentation does not define the behaviour, grafverif chooses an interpretation and reports a warning:
+//   - S and R of a Boolean variable set and reset one stored value per instance of the unit; all charts of the instance
+//     use this value; while R is active, the variable is false;
 //   - SFCReset sets _X of the initial step and resets the stored values of S and R; exit actions are not executed, and
 //     actions in action blocks end;
 //   - if the file does not contain the settings of the chart, a variable with the name of a flag acts as this flag.
@@ -67,7 +68,8 @@ Id<Type> Reader::codesys_step_type(bool initial) {
     return type = program.types.add({Type::Kind::Block, "STEP", 0, 0, {}, id, {}});
 }
 
-/// Declares the variables of a chart. `prefix` precedes the names of the steps; it is empty for the body of the unit.
+/// Declares the variables of a chart. `prefix` precedes the names of the steps; it is empty for the chart in the body
+/// of the unit.
 void Reader::declare_codesys(std::size_t index, Chart& chart, const st::Network& network, const std::string& prefix) {
     const Id<Unit> id = declared_[index];
     for (const auto& [name, used] : {std::pair("SFCReset", network.flags.reset), {"SFCPause", network.flags.pause}}) {
@@ -121,7 +123,7 @@ void Reader::declare_codesys(std::size_t index, Chart& chart, const st::Network&
 
 // -- statements -------------------------------------------------------------------------------------------------------
 
-/// Returns the variable of a flag. The result is empty if the chart does not use the flag.
+/// Returns the variable of a flag, such as SFCReset. The result is empty if the chart does not use the flag.
 std::optional<Reader::Found> Reader::flag_of(std::string_view name, bool stated, bool used, Span where) {
     const auto known = scopes_[unit_.index].variables.find(file_->intern(name).index);
     if (known == scopes_[unit_.index].variables.end() || (stated && !used)) return {};
@@ -225,14 +227,14 @@ void Reader::execute_steps(const Chart& chart, const st::Network& network, Progr
     }
 }
 
-/// Returns the cell of a variable in the instance of ACTION_CONTROL.
+/// Returns the memory cell of a variable in the ACTION_CONTROL instance of an action.
 std::uint32_t Reader::control_cell(const ChartAction& one, std::string_view name) {
     const Id<Unit> block = declared_[one.control];
     const std::uint32_t index = scopes_[block.index].variables.at(file_->intern(name).index);
     return one.cell + program.units[block].variables[index].offset;
 }
 
-/// Adds the statements that compute Q of an action.
+/// Adds the statements that compute Q of an action from its action blocks.
 void Reader::control_codesys(std::size_t index, const std::vector<Id<st::Word>>& steps, const Chart& chart,
                              Program::Body& body) {
     const ChartAction& one = chart.actions[index];
@@ -313,7 +315,8 @@ void Reader::execute_actions(const Chart& chart, Program::Body& body) {
         store(one.before, bool_, read(one.value, bool_, one.where), one.where, body);
 }
 
-/// Resolves X, _X or t of a step in the chart whose transitions are being read. The result is empty for other paths.
+/// Resolves the variable X, _X or t of a step in the chart whose transitions are being read. The result is empty for
+/// other paths.
 std::optional<Reader::Found> Reader::step_of_chart(Id<st::Expr> path) {
     const st::Expr member = file_->exprs[path];
     const st::Expr owner = file_->exprs[member.first];

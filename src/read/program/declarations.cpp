@@ -89,8 +89,8 @@ void Reader::read_body(std::size_t index) {
     }
 }
 
-/// Returns the function block that no unit instantiates. The result is empty if there are several such blocks or none,
-/// or if the file has programs or program instances.
+/// Returns the function block to execute as the program: the only function block that no unit instantiates. The result
+/// is empty if this block is not unique, or if the file has programs or program instances.
 std::optional<std::size_t> Reader::main_block(std::size_t user) const {
     if (!file_->instances.empty()) return {};
     std::set<std::uint32_t> instantiated;
@@ -165,14 +165,14 @@ void Reader::declare(std::size_t index) {
     if (!from.networks.empty() && file_->dialect == st::Dialect::Standard) declare_chart(index);
     else declare_actions(index);
     Unit& unit = program.units[id];
-    if (unit.size == 0) {  // every instance has a cell, so that the limit of cells also bounds the instances
+    if (unit.size == 0) {  // each instance needs a cell: the limit of cells then limits instances
         unit.size = 1;
         unit.variables.push_back({"_", Variable::Section::Local, bool_, 0, 0, false, false, false, 0, from.name.where});
     }
     for (const Variable& variable : unit.variables) {
         if (variable.section == Variable::Section::Input) unit.inputs.push_back(variable.offset);
         const bool standard = from.where.source != file_->source;
-        const std::string name = st::capitals(variable.name);  // spelled as at its first occurrence in the file
+        const std::string name = st::capitals(variable.name);  // the spelling may differ from the declaration
         if (standard && name == "RUNNING") unit.running = variable.offset;
         if (standard && name == "ELAPSED") unit.elapsed = variable.offset;
     }
@@ -258,7 +258,7 @@ void Reader::declare(Id<Unit> id, const st::Variable& from, bool is_program) {
     last.variables.push_back(std::move(made));
 }
 
-/// True if the unit can have this variable. Otherwise, reports the variable.
+/// True if the unit is allowed to have this variable. Otherwise, reports the variable.
 bool Reader::is_allowed(const Unit& unit, const st::Variable& from, Id<Type> type, bool is_program) {
     const Span where = from.name.where;
     const Type& of = program.types[type];
@@ -328,8 +328,8 @@ void Reader::declare_actions(std::size_t index) {
     if (!from.networks.empty()) declare_codesys(index, charts_[index].body, from.networks.front(), "");
 }
 
-/// Rejects variables with the same address: such variables share one value, but each cell of a Program has a separate
-/// value.
+/// Rejects several variables with the same address: in the PLC they share one value, but in a Program each memory cell
+/// has a separate value.
 void Reader::check_addresses(const std::vector<const st::Variable*>& located) {
     std::map<std::string, const st::Variable*> seen;
     for (const st::Variable* variable : located) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads expressions with their types. An integer literal gets the type of the other operands. Integers of different
-// types are converted to the type whose range contains the range of the other type.
+// Reads expressions and determines their types. An integer literal gets the type of the other operands. If integer
+// operands have different types, they are converted to the type whose range contains the other range.
 #include <algorithm>
 #include <string>
 
@@ -190,7 +190,7 @@ Reader::MaybeTyped Reader::leaf(Id<st::Expr> id) {
     }
 }
 
-/// Returns the value of a variable. The value of a subrange has the base type.
+/// Returns an expression for the value of a variable. The value of a variable with a subrange type has the base type.
 Reader::MaybeTyped Reader::value_at(const Found& found, Span where) {
     const Type type = program.types[found.type];
     if (type.kind == Type::Kind::Block) {
@@ -212,8 +212,8 @@ Reader::MaybeTyped Reader::value_at(const Found& found, Span where) {
     return Typed{type.element.valid() ? add(Op::Convert, type.element, {node}, where) : node, false};
 }
 
-/// Returns an integer as a bit string of the same width. In CODESYS, bitwise operators also accept integers, which are
-/// converted to bit strings; in other dialects, this is an error.
+/// Converts an integer operand of a bitwise operator to a bit string of the same width. CODESYS permits these operands;
+/// in other dialects, they are an error.
 Reader::MaybeTyped Reader::as_bits(const Typed& value, Span where) {
     if (file_->dialect != st::Dialect::Codesys)
         return reject(where, "a bitwise operator with integer operands", "convert the operands to bit strings"),
@@ -326,7 +326,7 @@ Reader::MaybeTyped Reader::arithmetic(Id<st::Expr> id) {
     return Typed{add(op, program.nodes[operands[0].node].type, std::move(nodes), from.where), false};
 }
 
-/// Resolves arithmetic on durations: they can be added and subtracted, multiplied by integers and divided by integers
+/// Resolves arithmetic on durations. Durations can be added, subtracted, multiplied by integers and divided by integers
 /// (IEC 61131-3, table 30).
 Reader::MaybeTyped Reader::time_arithmetic(const st::Expr& from, Op op, std::vector<Typed> operands) {
     const bool sum = op == Op::Plus || op == Op::Minus;

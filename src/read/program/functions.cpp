@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Calls of functions in expressions: functions and conversions of the standard, and functions of the program.
+// Reads calls of functions in expressions: standard functions and conversions (IEC 61131-3), and functions of the
+// program.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -19,8 +20,8 @@ using Op = Program::Op;
 
 // -- calls ------------------------------------------------------------------------------------------------------------
 
-/// Returns the positional arguments of a standard function. A named argument or a wrong number of arguments is an
-/// error, which sets `ok` to false.
+/// Returns the positional arguments of a standard function. Reports named arguments and a wrong number of arguments,
+/// and sets `ok` to false after an error.
 std::vector<Reader::Typed> Reader::arguments(Id<st::Expr> call, std::size_t least, std::size_t most, bool& ok) {
     std::vector<Typed> values;
     const std::vector<Id<st::Expr>> parts = st::operands(*file_, call);
@@ -124,7 +125,7 @@ Reader::MaybeTyped Reader::shift(Id<st::Expr> id, Op op) {
     return Typed{add(op, program.nodes[values[0].node].type, {values[0].node, count}, where), false};
 }
 
-/// Resolves a conversion, such as `INT_TO_DINT`, `BOOL_TO_INT`, `INT_TO_BOOL` or `DINT_TO_TIME`.
+/// Resolves a call of a type conversion, such as `INT_TO_DINT`, `BOOL_TO_INT`, `INT_TO_BOOL` or `DINT_TO_TIME`.
 Reader::MaybeTyped Reader::conversion(Id<st::Expr> id, const std::string& name) {
     const Span where = file_->exprs[id].where;
     const std::size_t at = name.find("_TO_");

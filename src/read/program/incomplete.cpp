@@ -17,7 +17,8 @@ using Symbol = st::Parser::symbol_kind;
 
 constexpr std::string_view ends = "END_PROGRAM END_FUNCTION_BLOCK END_FUNCTION";
 
-/// Returns the keyword that ends a unit that begins with `keyword`, or an empty text if no unit begins with `keyword`.
+/// Returns the keyword that ends a unit whose first keyword is `keyword`, or an empty text if units cannot begin with
+/// `keyword`.
 std::string_view end_of_unit(st::Parser::symbol_kind_type keyword) {
     switch (keyword) {
     case Symbol::S_PROGRAM: return "END_PROGRAM";
@@ -27,7 +28,8 @@ std::string_view end_of_unit(st::Parser::symbol_kind_type keyword) {
     }
 }
 
-/// A unit in the text: from its keyword to the end of its declarations, and to the beginning of the next unit.
+/// The extent of a unit in an incomplete text: from its keyword to the end of its declarations, and to the beginning of
+/// the next unit.
 struct Header {
     st::Name name = {};
     Span declarations = {}, whole = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// add_incomplete_units: the declarations in the units of an incomplete text, for the names that an editor proposes.
+// add_incomplete_units: reads the declarations of units in an incomplete text, so that an editor can propose names.
 #pragma once
 
 #include "grafverif/support/source.hpp"
@@ -8,7 +8,7 @@
 namespace grafverif::program {
 
 /// Adds to `file` each unit of the text at `whole` that the parser has skipped after a syntax error. Such a unit has
-/// variables, but no body. A source with the keywords that end units is added to `sources`.
+/// variables, but no body. Adds a source with the missing end keywords of units to `sources`.
 void add_incomplete_units(Span whole, st::File& file, Sources& sources);
 
 }  // namespace grafverif::program

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Resolves the names of variables: variables of the unit, global variables, members of instances and structures, and
 // array elements. In the dialect of CODESYS, variables can be qualified by the name of a global variable list or of the
-// program. Statements can name the inputs and outputs of an instance and, in the dialect of CODESYS, all other
+// program. Statements can access the inputs and outputs of an instance and, in the dialect of CODESYS, all other
 // variables of the instance except VAR_TEMP and VAR_IN_OUT.
 #include <algorithm>
 #include <string>
@@ -23,7 +23,7 @@ Reader::Found Reader::found_in(Id<Unit> unit, std::uint32_t index) {
     return made;
 }
 
-/// Returns the place with which other units access the cell at `offset` of the program instance.
+/// Returns the place through which other units access the memory cell at `offset` of the program instance.
 Program::Place Reader::main_place(std::uint32_t offset) const {
     return {true, program.units[program.globals].size + offset, {}};
 }
@@ -75,8 +75,8 @@ std::optional<Reader::Found> Reader::variable(Id<st::Expr> path) {
     }
 }
 
-/// Resolves a variable that is qualified by the name of its list or of the program. The result is empty for other
-/// paths.
+/// Resolves a variable that is qualified by the name of its global variable list or of the program. The result is empty
+/// for other paths.
 std::optional<std::optional<Reader::Found>> Reader::qualified(Id<st::Expr> path) {
     const st::Expr from = file_->exprs[path];
     const st::Expr owner = file_->exprs[from.first];

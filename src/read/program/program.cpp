@@ -37,8 +37,8 @@ std::string_view standard_blocks_text() { return program::standard_blocks; }
 
 namespace {
 
-/// Removes the standard function blocks that the file defines itself. In a file with charts, a second definition is an
-/// error that the reader reports, because the control of actions uses the standard function blocks.
+/// Removes those standard function blocks for which the file has its own definition. In a file with charts, such a
+/// definition is an error that the reader reports, because the ACTION_CONTROL blocks use the standard function blocks.
 void remove_redefined_blocks(st::File& file, std::size_t user, Diagnostics& diagnostics) {
     const auto end = file.units.begin() + static_cast<std::ptrdiff_t>(user);
     if (std::any_of(file.units.begin(), end, [](const st::Unit& unit) { return !unit.networks.empty(); })) return;
@@ -54,7 +54,8 @@ void remove_redefined_blocks(st::File& file, std::size_t user, Diagnostics& diag
     file.units.erase(removed, file.units.end());
 }
 
-/// Parses the standard function blocks, and creates a reader that resolves the names of `file`; empty after an error.
+/// Parses the standard function blocks, and returns a reader that has resolved the names of `file`; empty after an
+/// error.
 std::optional<program::Reader> resolved(st::File& file, Sources& sources, Diagnostics& diagnostics,
                                         const Recorder& record) {
     const std::size_t user = file.units.size();

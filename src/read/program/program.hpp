@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // read_program: reads Structured Text of IEC 61131-3 (programs, function blocks, functions, types, a configuration) to
-// a Program. Names are resolved without regard to case, and types are checked. A construct that Program does not
+// a Program. Names are resolved without regard to case, and types are checked. A construct that a Program cannot
 // represent exactly is an error. All errors of a file are reported together.
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace grafverif {
 
-/// A program together with its names, which permits reading further expressions over its variables.
+/// A program together with its symbol tables, so that further expressions over its variables can be read.
 class ProgramText {
 public:
     ProgramText();
@@ -27,7 +27,7 @@ public:
 
     const Program& program() const;
     /// Reads a Boolean expression over the variables of the program, with the operators of Structured Text or of C. The
-    /// expression is added to the nodes of the program. The result is empty after an error.
+    /// nodes of the expression are added to the program. The result is empty after an error.
     std::optional<Id<Program::Node>> condition(const st::Text& text, const Sources& sources, Diagnostics& diagnostics);
 
     struct Inside;
@@ -43,8 +43,8 @@ inline constexpr std::string_view standard_blocks_path = "<library>/standard_blo
 /// Returns the text of the standard function blocks.
 std::string_view standard_blocks_text();
 
-/// Reads a program; empty after at least one error. The source of the standard function blocks is added to `sources`.
-/// The declarations and references are added to `record`, also those of a text with errors.
+/// Reads a program. The result is empty after at least one error. Adds the source of the standard function blocks to
+/// `sources`. Adds the declarations and references to `record`, even if the text has errors.
 std::optional<ProgramText> read_program(Id<Source> source, Sources& sources, Diagnostics& diagnostics,
                                         const Recorder& record = {});
 

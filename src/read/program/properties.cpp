@@ -174,8 +174,8 @@ private:
         made.text = "no " + word;
     }
 
-    /// Reads a condition. If the property file contains the text of the expression literally, the positions of the
-    /// condition refer to this file; otherwise they refer to a new source with the text of the expression.
+    /// Reads a condition. If the property file contains the text of the expression literally, the positions in the
+    /// condition refer to the property file. Otherwise, they refer to a new source with the text of the expression.
     std::optional<Id<Program::Node>> condition(const YAML::Node& from) {
         const std::string expression = from.Scalar();
         Span place = where(from);

@@ -10,7 +10,7 @@
 
 namespace grafverif {
 
-/// A property of the values at the end of every scan. The inputs are unconstrained.
+/// A property of a PLC program: a requirement on the values at the end of each scan. The inputs are unconstrained.
 struct ProgramProperty {
     enum class Kind { Invariant, MutualExclusion, Absence, Reachability, Reachable, Assertion, Termination };
     enum class Error { Overflow, DivisionByZero, ArrayBounds };  ///< for Absence: the error that must not occur
@@ -28,7 +28,8 @@ struct ProgramProperty {
     }
 };
 
-/// Reads the properties; empty after at least one error. The expressions are added to the nodes of `program`.
+/// Reads the properties of a property file. The result is empty after at least one error. Adds the nodes of the
+/// expressions to `program`.
 std::optional<std::vector<ProgramProperty>> read_properties(Id<Source> source, Sources& sources, ProgramText& program,
                                                             Diagnostics& diagnostics);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Records the declarations of a program and the references in its charts. Name resolution records the other references.
+// Records the declarations of a program and the references in its charts, for editors. Name resolution records all
+// other references.
 #include <algorithm>
 #include <utility>
 
@@ -67,7 +68,7 @@ void Reader::record_type_name(const st::Type& type) const {
         record_.refer(type.name.where, file_->units[unit->second].name.where);
 }
 
-/// `type` is empty if the type of the variable has an error.
+/// Records the declaration of a variable. `type` is empty if the type of the variable has an error.
 void Reader::record_variable(Id<Unit> unit, const st::Variable& from, std::optional<Id<Type>> type) const {
     if (!record_.is_recording()) return;
     const Unit& owner = program.units[unit];
@@ -96,14 +97,14 @@ void Reader::refer(const st::Expr& use, Span declaration, bool writes) const {
     record_.refer(use.name.source.valid() ? use.name : use.where, declaration, writes);
 }
 
-/// Records that a statement assigns the variable at the end of `path`.
+/// Records a reference: a statement assigns the variable at the end of `path`.
 void Reader::refer_target(Id<st::Expr> path, Span declaration) const {
     while (file_->exprs[path].op == st::Op::Index) path = file_->exprs[path].first;
     refer(file_->exprs[path], declaration, true);
 }
 
-/// Records the steps and transitions of a chart and the names in them. If the chart has errors, so that it is not
-/// translated, its conditions and actions are resolved for the record.
+/// Records the steps and transitions of a chart and the names in them. If the chart has errors and is not translated,
+/// resolves its conditions and actions only to record the names.
 void Reader::record_chart(std::size_t index) {
     const st::Unit& from = file_->units[index];
     if (!record_.is_recording() || from.networks.empty() || file_->dialect != st::Dialect::Standard) return;

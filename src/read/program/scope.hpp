@@ -39,9 +39,10 @@ public:
     Reader(st::File& file, const Sources& sources, Diagnostics& diagnostics, std::vector<UnitCharts> charts,
            const Recorder& record);
 
-    /// `user` is the number of units that the user has written. These units precede the standard units.
+    /// Reads all declarations and bodies. `user` is the number of units in the file of the user; the standard units
+    /// follow these units.
     void read(std::size_t user);
-    /// Reads a Boolean expression over the variables of `main` and of its instances.
+    /// Reads a Boolean expression over the variables of the main program and of its instances.
     std::optional<Id<Node>> condition(Id<st::Expr> root);
 
     Program program = {};
@@ -55,36 +56,36 @@ private:
     };
     using MaybeTyped = std::optional<Typed>;
 
-    /// A variable together with the cell that it denotes.
+    /// A resolved variable: its memory cell, type and declaration.
     struct Found {
         Program::Place place = {};
         Id<Type> type = {};
         Variable* variable = nullptr;  ///< the declaration in its unit
-        Variable* instance = nullptr;  ///< the instance that contains the variable, if the path names one
+        Variable* instance = nullptr;  ///< the instance that contains the variable, or null
         Id<Unit> block = {};           ///< the type of the instance
-        bool inside = false;           ///< true if the path names an instance
+        bool inside = false;           ///< true if the variable belongs to an instance
         bool locked = false;           ///< true if statements of this unit cannot assign the variable
         bool constant = false;
     };
     /// The target of a call statement.
     struct Callee {
         Program::Place place = {};
-        Id<Unit> body = {};            ///< a function block, or an action
-        Id<Unit> block = {};           ///< the block whose inputs the call can assign
+        Id<Unit> body = {};            ///< function block or action to execute
+        Id<Unit> block = {};           ///< function block whose inputs the call can assign
         Variable* instance = nullptr;  ///< the instance of the block; nullptr for an action of this unit
     };
     struct Scope {
         std::unordered_map<std::uint32_t, std::uint32_t> variables =
-            {};  ///< word -> index in the variables of the unit
+            {};  ///< for each name: index in the variables of the unit
         std::unordered_map<std::uint32_t, Span> externals = {};
         std::unordered_map<std::uint32_t, Id<Unit>> actions = {};       ///< actions that statements can call
-        std::map<std::string, std::uint32_t, std::less<>> stored = {};  ///< cells of S in charts of CODESYS
-        /// Step or action, and member -> index in the variables. This table is separate from `variables`, because a
-        /// variable may have the name of a step.
+        std::map<std::string, std::uint32_t, std::less<>> stored = {};  ///< CODESYS: cells of values that S stores
+        /// Key: name of a step or action, and name of a member. Value: index in the variables of the unit. This table
+        /// is separate from `variables`, because a variable may have the name of a step.
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> members = {};
     };
     enum class State { New, Open, Done };
-    static constexpr std::uint32_t ambiguous_member = 0xffffffff;  ///< marks equal step names in several charts
+    static constexpr std::uint32_t ambiguous_member = 0xffffffff;  ///< the step name occurs in several charts
 
     // Defined in declarations.cpp:
     void index_types();
@@ -118,7 +119,7 @@ private:
                             Variable::Section section = Variable::Section::Local);
     std::uint32_t add_cells(Id<Unit> unit, st::Name name, std::array<std::string_view, 2> members, Id<Type> type);
     std::optional<Found> chart_member(Id<st::Expr> path);
-    // codesys_chart.cpp
+    // Defined in codesys_chart.cpp:
     void declare_codesys(std::size_t index, Chart& chart, const st::Network& network, const std::string& prefix);
     Program::Body codesys_chart(Chart& chart, const st::Network& network);
     void reset(const Chart& chart, const st::Network& network, Program::Body& body);
@@ -169,7 +170,7 @@ private:
     MaybeTyped user_function(Id<st::Expr> id, std::size_t index);
     std::vector<Typed> arguments(Id<st::Expr> call, std::size_t least, std::size_t most, bool& ok);
     bool unify(std::vector<Typed>& operands, Span where);
-    /// Returns `value` as a node of `type`. Error messages call the value `what`.
+    /// Converts `value` to `type`. `what` describes the value in error messages.
     std::optional<Id<Node>> converted(const Typed& value, Id<Type> type, Span where, std::string_view what);
     std::optional<Found> variable(Id<st::Expr> path);
     std::optional<Found> named(Id<st::Word> word, Span where);
@@ -229,39 +230,39 @@ private:
     st::File* file_;
     const Sources* sources_;
     Recorder record_;
-    std::unordered_map<std::uint32_t, std::size_t> units_ = {};  ///< word -> unit of the file
-    std::vector<Id<Unit>> declared_ = {};                        ///< unit of the program per unit of the file
+    std::unordered_map<std::uint32_t, std::size_t> units_ = {};  ///< for each name: index of the unit
+    std::vector<Id<Unit>> declared_ = {};                        ///< for each unit of the file: its unit in the program
     std::vector<State> states_ = {};
-    std::unordered_map<std::uint32_t, Id<Type>> types_ = {};                 ///< word -> type
-    std::unordered_map<std::uint32_t, std::size_t> type_declarations_ = {};  ///< word -> first declaration in the file
+    std::unordered_map<std::uint32_t, Id<Type>> types_ = {};                 ///< types by name
+    std::unordered_map<std::uint32_t, std::size_t> type_declarations_ = {};  ///< for each name: first declaration
     std::size_t type_depth_ = 0;           ///< number of types whose declarations are being read
-    std::vector<State> type_states_ = {};  ///< per type declaration of the file
+    std::vector<State> type_states_ = {};  ///< for each type declaration of the file
     struct EnumerationValue {
         Id<Type> type = {};
         std::int64_t value = 0;
         Span origin = {};
     };
-    std::map<std::uint32_t, EnumerationValue> values_ = {};  ///< values of enumerations, by word
-    std::vector<Scope> scopes_ = {};                         ///< per unit of the program
-    std::vector<std::vector<std::uint32_t>> calls_ = {};     ///< per unit: the functions that it calls
+    std::map<std::uint32_t, EnumerationValue> values_ = {};  ///< values of enumerations, by name
+    std::vector<Scope> scopes_ = {};                         ///< for each unit of the program
+    std::vector<std::vector<std::uint32_t>> calls_ = {};     ///< for each unit: the units that it calls
     Id<Unit> unit_ = {};                                     ///< the current unit
     Id<Unit> body_ = {};       ///< the unit whose body is being read: the current unit, or one of its actions
     bool any_member_ = false;  ///< true if local variables of instances can be read
     int loops_ = 0;
-    /// While transitions of a CODESYS chart are read: the steps of the chart, with their index in the variables of the
+    /// While transitions of a CODESYS chart are read: the steps of the chart and their indices in the variables of the
     /// unit.
     const std::vector<std::pair<Id<st::Word>, std::uint32_t>>* transitions_ = nullptr;
-    std::vector<UnitCharts> charts_;                  ///< per unit of the file
+    std::vector<UnitCharts> charts_;                  ///< for each unit of the file
     std::array<Id<Type>, 2> step_types_ = {};         ///< type of steps, type of initial steps
     std::array<Id<Type>, 2> codesys_steps_ = {};      ///< type of steps and type of initial steps in charts of CODESYS
-    std::set<std::string, std::less<>> warned_ = {};  ///< warnings that are reported only once
+    std::set<std::string, std::less<>> warned_ = {};  ///< warnings that have been reported, to avoid repetition
     std::optional<std::size_t> main_block_ = {};      ///< the function block that is executed as a program
-    std::set<std::uint32_t> chart_units_ = {};        ///< units of steps and action controls
+    std::set<std::uint32_t> chart_units_ = {};        ///< units of steps and ACTION_CONTROL blocks
     bool action_ = false;                             ///< true within the body of an action
-    std::optional<std::int64_t> compared_time_ = {};  ///< duration with which the current operand is compared
+    std::optional<std::int64_t> compared_time_ = {};  ///< bound for the duration in the current comparison
     Id<Type> bool_ = {}, int_ = {}, dint_ = {}, time_ = {};
     std::map<std::tuple<std::uint32_t, std::int64_t, std::int64_t>, Id<Type>> arrays_ =
-        {};  ///< type of the elements, first and last index -> type of the array
+        {};  ///< array type by element type, first and last index
 };
 
 }  // namespace grafverif::program

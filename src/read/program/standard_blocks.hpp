@@ -7,13 +7,13 @@
 
 namespace grafverif::program {
 
-/// The bodies of the blocks are taken from the standard. The variable ELAPSED of a timer advances between two scans
-/// while RUNNING of the timer is true, even if the block is not called. Programs cannot access ELAPSED and RUNNING.
+/// The bodies of the blocks are taken from the standard. While the variable RUNNING of a timer is true, its variable
+/// ELAPSED advances between two scans, even if the block is not called. Programs cannot access ELAPSED and RUNNING.
 ///
-/// Where the standard permits several behaviours, the implementation is as follows. Counters stop at the limits of INT.
-/// If the preset time is zero, the output Q of TON becomes true in the scan of the rising edge of IN. A pulse of TP
-/// with a preset time of zero ends in the scan in which it begins. A change of the preset time while Q is true does not
-/// affect TON.
+/// The standard permits several behaviours in some cases; the implementation is as follows. Counters stop at the limits
+/// of INT. If the preset time is zero, the output Q of TON becomes true in the scan of the rising edge of IN. A pulse
+/// of TP with a preset time of zero ends in the scan in which it begins. A change of the preset time while Q is true
+/// does not affect TON.
 inline constexpr std::string_view standard_blocks = R"(
 FUNCTION_BLOCK SR
 VAR_INPUT S1, R : BOOL; END_VAR VAR_OUTPUT Q1 : BOOL; END_VAR

@@ -30,7 +30,7 @@ void Reader::statement(Id<st::Statement> id, Program::Body& body) {
     case st::StatementKind::Assign: {
         const auto cell = target(from.target);
         if (cell && program.types[cell->type].kind == Type::Kind::Unsupported) {
-            const st::Op op = file_->exprs[from.value].op;  // the program cannot read a variable of this type
+            const st::Op op = file_->exprs[from.value].op;  // a literal is permitted: no statement can read it
             if (op != st::Op::Other)
                 reject(from.where, "a variable of the type `" + program.types[cell->type].name + "`",
                        "use BOOL, TIME or an integer of at most 32 bits");
@@ -97,8 +97,8 @@ std::optional<Reader::Found> Reader::target(Id<st::Expr> path) {
     return found;
 }
 
-/// True if a variable of this type has several cells that can be assigned together: an array or structure without
-/// function block instances.
+/// True if a variable of this type can be assigned as a whole and has several memory cells: an array or structure
+/// without function block instances.
 bool Reader::is_composite(Id<Type> id) const {
     const Type& type = program.types[id];
     if (type.kind == Type::Kind::Array) return is_composite(type.element) || is_elementary(type.element);
@@ -113,7 +113,7 @@ bool Reader::is_elementary(Id<Type> id) const {
     return kind != Type::Kind::Block && kind != Type::Kind::Array && kind != Type::Kind::Unsupported;
 }
 
-/// Copies all cells of a variable to another variable.
+/// Adds statements that copy all memory cells of the variable `from` to the variable `to`.
 void Reader::copy(const Found& to, const Found& from, Span where, Program::Body& body) {
     if (to.type != from.type) {
         diagnostics->add(messages::program_type_mismatch(where, "the value", "`" + program.types[to.type].name + "`",

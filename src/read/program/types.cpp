@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Resolves elementary types and the types that a file declares. Array types with the same bounds and elements are one
-// type.
+// Resolves elementary types and the types that a file declares. Array types with the same bounds and the same element
+// type are the same type.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace grafverif::program {
 
 namespace {
 
-constexpr std::size_t most_types = 200;  ///< maximum number of types that contain each other
+constexpr std::size_t most_types = 200;  ///< maximum nesting depth of types
 
 }  // namespace
 
@@ -48,7 +48,7 @@ void Reader::declare_types() {
     }
 }
 
-/// Declares a type, unless it is already declared because another type refers to it.
+/// Declares a type, unless it was already declared because another type refers to it.
 void Reader::declare_type(std::size_t index) {
     if (type_states_[index] != State::New) return;
     type_states_[index] = State::Open;
@@ -127,7 +127,7 @@ std::optional<Id<Type>> Reader::type_of(const st::Type& type, Span where) {
                                                    "ULINT", "LWORD",       "LTIME",        "DATE",    "TOD",
                                                    "DT",    "TIME_OF_DAY", "DATE_AND_TIME"};
     const std::string name = capitals(type.name.word);
-    // Variables of these types can be declared, but not used.
+    // Programs can declare variables of these standard types, but cannot use them.
     if (std::ranges::find(known_elsewhere, name) != known_elsewhere.end()) {
         const Id<Type> id = program.types.add({Type::Kind::Unsupported, name, 0, 0, {}, {}, {}});
         types_[type.name.word.index] = id;
@@ -137,7 +137,7 @@ std::optional<Id<Type>> Reader::type_of(const st::Type& type, Span where) {
     return {};
 }
 
-/// Declares a structure as a block without a body.
+/// Declares a structure; the Program represents it as a block without a body.
 void Reader::declare_structure(const st::TypeDeclaration& declaration) {
     Unit unit;
     unit.kind = Unit::Kind::Structure;

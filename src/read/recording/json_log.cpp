@@ -43,8 +43,8 @@ bool LogReader::next_json(LogRow& row) {
     return false;
 }
 
-/// Reads the current line. If `first` is true, declares the variables of the line instead of reading their values.
-/// Returns false after an error.
+/// Reads the current line, a JSON object. If `first` is true, declares the variables in the line instead of reading
+/// their values. Returns false after an error.
 bool LogReader::read_json(LogRow& row, bool first) {
     const nlohmann::json object = nlohmann::json::parse(lines_.line(), nullptr, false);
     if (!object.is_object()) return fail(where(), "the line is not a JSON object; write one object per line");

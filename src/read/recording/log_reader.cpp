@@ -17,7 +17,7 @@ namespace grafverif {
 LogLines::LogLines(LogBlocks blocks, std::string name, Sources& sources)
     : blocks_(std::move(blocks)), sources_(sources), source_(sources.add({std::move(name), ""})) {}
 
-/// Reads the next block that is not empty, if all bytes of the current block were read. Returns false at the end of the
+/// If all bytes of the current block were read, reads the next block that is not empty. Returns false at the end of the
 /// log.
 bool LogLines::next_block() {
     while (read_ == block_.size()) {
@@ -42,7 +42,7 @@ bool LogLines::next() {
 }
 
 Span LogLines::span(std::string_view part) {
-    constexpr std::uint64_t most_lines = std::uint64_t{1} << 30U;  // limited, because positions are 32-bit numbers
+    constexpr std::uint64_t most_lines = std::uint64_t{1} << 30U;  // positions are 32-bit numbers
     if (number_ > most_lines) return {};
     std::string& text = sources_[source_].text;
     if (shown_ < number_) {
@@ -129,7 +129,7 @@ bool LogReader::put(LogRow& row, LogValue value, std::string_view part) {
     return true;
 }
 
-/// Reads the next line. Returns false if there is no further line. A line that is too long is reported and skipped.
+/// Reads the next line. Returns false at the end of the log. Reports and skips a line that is too long.
 bool LogReader::next_line() {
     while (may_continue() && lines_.next()) {
         if (!lines_.is_too_long()) return true;

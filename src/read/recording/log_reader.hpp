@@ -4,7 +4,7 @@
 //
 //   CSV         column names, then one row per sample: the time, and a value or nothing (unchanged) per column. The
 //               separator is `;`, a tab or `,`
-//   JSON lines  `{`: one object per line, with the member `time` and values of any of the variables of the first line
+//   JSON lines  `{`: one object per line, with the member `time` and values of some variables of the first line
 //   VCD         `$`: value change dump (IEEE 1364), Boolean and integer variables
 //
 // A time is in seconds (`12.25`) or has a unit (`us`, `ms`, `s`, `min`); in VCD, it has the unit of the time scale.
@@ -26,19 +26,20 @@
 
 namespace grafverif {
 
-/// Replaces `block` by the next part of a log; returns false at the end.
+/// A function that replaces `block` by the next part of a log; it returns false at the end of the log.
 using LogBlocks = std::function<bool(std::string& block)>;
 
 /// Latest time of a sample in microseconds: 285 years.
 inline constexpr std::int64_t latest_log_us = 9'000'000'000'000'000;
 
-/// Reads lines, and creates positions in them. The source of the positions contains only the lines for which a position
-/// was created; all other lines are empty.
+/// Reads the lines of a log, and creates positions for diagnostics. To save memory, the source of these positions
+/// contains only the lines for which a position was created; all other lines are empty.
 class LogLines {
 public:
     LogLines(LogBlocks blocks, std::string name, Sources& sources);
 
-    /// Reads the next line, without its line end; false at the end. A line longer than `longest` is truncated.
+    /// Reads the next line, without its line end. Returns false at the end of the log. A line longer than `longest` is
+    /// truncated.
     bool next();
     const std::string& line() const { return line_; }
     std::uint64_t number() const { return number_; }
@@ -55,7 +56,7 @@ private:
     Sources& sources_;
     Id<Source> source_;
     std::string block_ = {};
-    std::size_t read_ = 0;  ///< number of bytes of the block that were read
+    std::size_t read_ = 0;  ///< number of bytes of the current block that were read
     std::string line_ = {};
     std::uint64_t number_ = 0;
     std::uint64_t shown_ = 0;  ///< number of lines in the source
@@ -80,7 +81,7 @@ struct LogRow {
 
 class LogReader {
 public:
-    /// The references must outlive the reader. `name` is the name of the log in diagnostics.
+    /// `name` is the name of the log in diagnostics. `sources` and `diagnostics` must outlive the reader.
     LogReader(LogBlocks blocks, std::string name, Sources& sources, Diagnostics& diagnostics)
         : lines_(std::move(blocks), std::move(name), sources), sources_(sources), diagnostics_(diagnostics) {}
 
@@ -88,14 +89,15 @@ public:
     bool open();
     const std::vector<LogColumn>& columns() const { return columns_; }
 
-    /// Skips the values of a column, which may be of any type.
+    /// Ignores the values of a column. The values may then be of any type.
     void ignore(std::size_t column) { use_of(column).ignored = true; }
-    /// Rejects values of a column outside `low` .. `high`. Ranges from earlier calls remain valid.
+    /// Rejects values of a column that are outside of `low` .. `high`. Ranges from earlier calls for the column remain
+    /// valid.
     void restrict(std::size_t column, std::int64_t low, std::int64_t high);
     /// Ends the log at the first error. The default is to report the errors of all rows.
     void stop_at_error() { stop_at_error_ = true; }
 
-    /// Reads the next row; returns false at the end. A row with errors is reported and skipped.
+    /// Reads the next row. Returns false at the end of the log. Reports and skips a row with errors.
     bool next(LogRow& row);
 
     /// Returns the position of the last line that was read.
@@ -114,7 +116,7 @@ private:
     bool read_csv(LogRow& row);
     bool read_json(LogRow& row, bool first);
     bool next_line();
-    /// Returns the next word of a VCD file; empty at the end.
+    /// Returns the next word of a VCD file; empty at the end of the file.
     std::string_view word();
     std::string_view words_to_end();
     void declare(std::string_view words);
@@ -124,7 +126,8 @@ private:
     bool fail(Span where, std::string_view problem);
     bool may_continue() const { return !diagnostics_.full() && !(failed_ && stop_at_error_); }
     bool is_ignored(std::size_t column) const { return column < uses_.size() && uses_[column].ignored; }
-    /// Adds a value, which is in `part` of the current line. Returns false if it is outside its range.
+    /// Adds a value to `row`. `part` is the text of the value in the current line. Returns false, and reports an error,
+    /// if the value is outside of the range of its column.
     bool put(LogRow& row, LogValue value, std::string_view part);
 
     LogLines lines_;
@@ -137,23 +140,23 @@ private:
         std::int64_t low = std::numeric_limits<std::int64_t>::min(), high = std::numeric_limits<std::int64_t>::max();
     };
     Use& use_of(std::size_t column) { return uses_.resize(columns_.size()), uses_[column]; }
-    std::vector<Use> uses_ = {};  ///< by column
+    std::vector<Use> uses_ = {};  ///< for each column; may be shorter
     bool failed_ = false, stop_at_error_ = false;
     std::optional<std::int64_t> last_time_ = {};
-    char separator_ = ',';                                          ///< CSV
-    std::map<std::string, std::size_t, std::less<>> by_name_ = {};  ///< JSON lines: column by name
-    bool pending_ = false;  ///< JSON lines: true if the current line is the first row
+    char separator_ = ',';                                          ///< for CSV
+    std::map<std::string, std::size_t, std::less<>> by_name_ = {};  ///< for JSON lines: column by name
+    bool pending_ = false;  ///< for JSON lines: true if the current line is the first row
 
     struct Wire {
         std::size_t column = 0;
         std::uint32_t bits = 1;
         bool is_signed = false;
     };
-    std::map<std::string, std::vector<Wire>, std::less<>> wires_ = {};  ///< VCD: variables by code
+    std::map<std::string, std::vector<Wire>, std::less<>> wires_ = {};  ///< for VCD: variables by their code
     std::vector<std::string> scopes_ = {};
     std::string_view rest_ = {};     ///< unread remainder of the current line
     std::string words_ = {};         ///< contents of the last declaration
-    std::int64_t ticks_per_us_ = 1;  ///< 1 for units of 1 us and more
+    std::int64_t ticks_per_us_ = 1;  ///< for VCD; 1 if a tick is at least 1 us
     std::int64_t us_per_tick_ = 1;
     std::optional<std::int64_t> vcd_time_ = {};  ///< time of the next row
     std::uint64_t vcd_line_ = 0;
@@ -161,7 +164,8 @@ private:
 
 /// Parses a Boolean (`0`, `1`, `true`, `FALSE`) or an integer.
 std::optional<std::int64_t> log_value(std::string_view text);
-/// Parses a time, and returns it in microseconds. Empty if it is not a time, is negative or exceeds `latest_log_us`.
+/// Parses a time. Returns microseconds, or an empty result if `text` is not a time, is negative or exceeds
+/// `latest_log_us`.
 std::optional<std::int64_t> log_time(std::string_view text);
 
 }  // namespace grafverif

@@ -8,9 +8,9 @@
 //   SD, SL       the step sets a latch; the output is then true after (SD) or until (SL) the time has elapsed
 //   statements   stored actions for the assignments that bodies.cpp computes
 //
-// A latch is an internal variable. There is one latch for each output and type of qualifier, which the blocks of
-// several steps share. The conversion of R depends on all blocks, because R ends the effects of other blocks on its
-// output. Therefore, R is converted after the list of all blocks is complete.
+// A latch is an internal variable that stores a Boolean value. The action blocks of all steps with the same output and
+// the same type of qualifier use one latch. R ends the effects of all other action blocks on its output. Therefore, R
+// is converted after the list of all action blocks is complete.
 #include <algorithm>
 #include <iterator>
 
@@ -21,14 +21,14 @@ namespace grafverif {
 
 namespace {
 
-/// A Boolean variable with an action qualifier.
+/// An action block whose action is a Boolean variable.
 struct Act {
     std::string step = {}, output = {}, qualifier = {};
     Span where = {};
-    std::int64_t milliseconds = 0;  ///< duration of a qualifier with a time
+    std::int64_t milliseconds = 0;  ///< duration, if the qualifier requires one
 };
 
-/// The result of converting an action block.
+/// The result of converting an action block: actions of the step, and actions that are independent of the step.
 struct Made {
     std::vector<tree::Action> of_step = {}, always = {};
 };
@@ -53,7 +53,7 @@ tree::StoredAction on_rise(Draft& draft, const std::string& target, bool value, 
     return action;
 }
 
-/// Returns an action that makes `output` true while `condition` holds.
+/// Returns an action that makes `output` true while `condition` is true.
 tree::ContinuousAction continuous(Draft& draft, const std::string& output, Id<tree::Expr> condition, Span where) {
     return {draft.name(output, where), condition, {}, {}, where};
 }
@@ -62,11 +62,13 @@ Id<tree::Expr> timed(Draft& draft, std::int64_t milliseconds, const std::string&
     return draft.node(tree::Op::Divide, {draft.duration(milliseconds, where), draft.variable(watched, where)}, where);
 }
 
-/// Detects differences in the order of evaluation: an SFC executes the actions of a scan sequentially, but in GRAFCET
-/// all actions of an evolution read the previous values. Each type of difference is reported once per variable.
+/// Detects differences in the order of evaluation: a Sequential Function Chart executes the actions of a scan
+/// sequentially, but in GRAFCET all actions of an evolution read the previous values. Each type of difference is
+/// reported once per variable.
 class Order {
 public:
-    /// Records an action at `where` that assigns `target` and reads `reads`. Returns the new differences.
+    /// Records an action at `where` that assigns `target` and reads the variables `reads`. Returns the differences that
+    /// have not been reported before.
     std::vector<std::string> differences(Span where, const std::string& target, const std::set<std::string>& reads) {
         std::vector<std::string> found;
         if (elsewhere(target, where) && reported_.insert(target).second)
@@ -90,8 +92,7 @@ private:
         return writer != writers_.end() && writer->second != where.begin;
     }
 
-    std::unordered_map<std::string, std::uint32_t> writers_ = {};  ///< position of the first assignment to each
-                                                                   ///< variable
+    std::unordered_map<std::string, std::uint32_t> writers_ = {};  ///< for each variable: first assignment
     std::unordered_set<std::string> reported_ = {};
 };
 
@@ -118,7 +119,7 @@ public:
 private:
     void refuse(Span where, std::string_view what, std::string_view hint) { draft_.refuse(where, what, hint); }
 
-    /// Converts a block. A Boolean variable with a qualifier is also added to `acts`.
+    /// Converts an action block. If its action is a Boolean variable, also adds the block to `acts`.
     Made block(const std::string& step, const st::Association& one, std::vector<Act>& acts) {
         if (!one.action.valid()) return statements(one, one.body);
         const auto body = std::ranges::find(sfc_.unit.actions, one.action.word,
@@ -164,7 +165,8 @@ private:
         return act;
     }
 
-    /// Returns the time of a qualifier that requires a time.
+    /// Returns the duration in milliseconds of an action block whose qualifier requires a duration; empty after an
+    /// error.
     std::optional<std::int64_t> time(const st::Association& one) {
         if (!one.time.valid()) {
             sfc_.diagnostics().add(
@@ -192,21 +194,21 @@ private:
             return {{on_rise(draft_, act.output, true, timed(draft_, act.milliseconds, 'X' + act.step, where), where)},
                     {}};
         }
-        if (q.empty()) return {};  // the qualifier was rejected
+        if (q.empty()) return {};  // already reported
         tree::ContinuousAction action = continuous(draft_, act.output, {}, where);
         (q == "D" ? action.delay : action.limit) = draft_.duration(act.milliseconds, where);
         return {{action}, {}};
     }
 
-    /// Returns the latch of a qualifier with memory, and true if the latch is new.
+    /// Returns the name of the latch for an output and a type of qualifier (`suffix`), and true if the latch is new.
     std::pair<std::string, bool> latch(const std::string& output, std::string_view suffix) {
         const auto [known, fresh] = latch_of_.try_emplace(output + std::string(suffix));
         if (fresh) latches_.push_back(known->second = sfc_.names.invent(output + std::string(suffix)));
         return {known->second, fresh};
     }
 
-    /// Converts P, P1 and P0. The output is true for one scan: the step sets the latch, and the next evolution resets
-    /// the latch.
+    /// Converts the qualifiers P, P1 and P0. The output is true for one scan: the step sets the latch, and the next
+    /// evolution resets the latch.
     Made pulse(const Act& act) {
         const auto [state, fresh] = latch(act.output, "_pulse");
         const auto when = act.qualifier == "P0" ? tree::StoredWhen::Deactivation : tree::StoredWhen::Activation;
@@ -227,11 +229,11 @@ private:
                 {continuous(draft_, act.output, condition, act.where)}};
     }
 
-    /// Returns, per step, the actions that reset the latches of SD and SL, because R on an output also ends SD and SL
-    /// on the same output. Reports each output on which other actions may act while the step of R is active, because
-    /// the conversion of R does not suppress these actions.
+    /// R also ends SD and SL on the same output. Therefore, returns pairs of a step with the qualifier R and an action
+    /// that resets a latch of SD or SL. Reports each output on which other actions may act while the step with R is
+    /// active, because the conversion of R does not suppress these actions.
     std::vector<std::pair<std::string, tree::StoredAction>> ended_by_resets(const std::vector<Act>& acts) {
-        std::unordered_set<std::string> driven;  // outputs on which other actions may act while the step of R is active
+        std::unordered_set<std::string> driven;  // outputs on which other actions may act while R is active
         const bool parallel = has_parallel_steps();
         for (const Act& act : acts)
             if (act.qualifier == "P0" || (parallel && act.qualifier != "R")) driven.insert(act.output);
@@ -298,7 +300,8 @@ private:
         return node.op == tree::Op::True || node.op == tree::Op::False || node.op == tree::Op::Number || negative;
     }
 
-    /// Returns assignments that are repeated in every scan while the step is active.
+    /// Converts an assignment with the qualifier N, which a Sequential Function Chart executes in every scan while the
+    /// step is active. Returns actions that assign on activation and whenever the value of the term changes.
     std::vector<tree::Action> every_scan(Span where, const std::string& target, const SfcEffect& effect,
                                          const SfcBody& body) {
         const bool boolean = !effect.value.valid();
@@ -346,7 +349,7 @@ private:
     Sfc& sfc_;
     Draft& draft_;
     Order order_ = {};
-    std::unordered_map<std::string, std::string> latch_of_ = {};  ///< latch by output and suffix
+    std::unordered_map<std::string, std::string> latch_of_ = {};  ///< latch by output plus suffix
     std::vector<std::string> latches_ = {};                       ///< latches in the order of creation
 };
 

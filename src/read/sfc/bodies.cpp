@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Executes statement lists symbolically: computes the assigned values as terms over the values before the list.
+// Executes lists of statements symbolically: computes the assigned values as terms over the values before the
+// statements.
 #include <algorithm>
 
 #include "read/sfc/sfc.hpp"
@@ -9,15 +10,15 @@ namespace grafverif {
 
 namespace {
 
-constexpr std::size_t most_terms = 200'000;  ///< maximum number of terms per body; IF and CASE copy terms
+constexpr std::size_t most_terms = 200'000;  ///< maximum number of terms per body, because IF and CASE copy terms
 constexpr int deepest_call = 20;
 
 class Execution {
 public:
     explicit Execution(Sfc& sfc) : sfc_(sfc), first_term_(sfc.draft.file().exprs.size()) {}
 
-    /// Returns the assigned values after the statements, given the values assigned `before` the statements. The result
-    /// is empty if a statement is rejected.
+    /// Executes `block`: returns the values assigned after the statements. `before` contains the values assigned before
+    /// the statements. The result is empty if a statement is rejected.
     std::optional<SfcEffects> run(const st::Block& block, SfcEffects before, int calls) {
         std::optional<SfcEffects> state = std::move(before);
         for (const Id<st::Statement> id : block)
@@ -102,13 +103,13 @@ private:
         return left_out(std::move(state));  // the results of the call become inputs of the chart
     }
 
-    /// Returns the state after a rejected statement: with `--lossy` the unchanged state, otherwise nothing.
+    /// Returns the state after a rejected statement: with the option `--lossy` the unchanged state, otherwise nullopt.
     std::optional<SfcEffects> left_out(SfcEffects state) const {
         return sfc_.draft.lossy() ? std::optional(std::move(state)) : std::nullopt;
     }
 
-    /// Returns the condition of a branch of CASE: a disjunction over the labels of the branch. The operand of a label
-    /// is `selector = label`, the operand of a range is `low <= selector AND selector <= high`.
+    /// Returns the condition of a branch of CASE: a disjunction over the labels of the branch. A label `V` becomes
+    /// `selector = V`, and a range `L..H` becomes `L <= selector AND selector <= H`.
     Id<tree::Expr> matches(const st::Statement& statement, const st::Branch& branch, const SfcEffects& state) {
         Id<tree::Expr> any = sfc_.draft.constant(false, branch.where);
         for (const Id<st::Expr> label : branch.conditions) {
@@ -129,8 +130,8 @@ private:
         return any;
     }
 
-    /// Executes the branches. A branch is taken if its condition holds and no earlier branch is taken. The result
-    /// merges the states of all branches.
+    /// Executes the branches of IF or CASE. A branch is taken if its condition is true and no earlier branch is taken.
+    /// The result merges the states of all branches.
     std::optional<SfcEffects> choose(const st::Statement& statement, const SfcEffects& before, int calls) {
         Id<tree::Expr> open = sfc_.draft.constant(true, statement.where);  // condition that no earlier branch is taken
         std::vector<Taken> taken;
@@ -192,8 +193,8 @@ private:
         return result;
     }
 
-    /// Merges the values of a Boolean variable. The variable is set if a branch that sets it is taken, and keeps its
-    /// value if a branch that keeps the value is taken.
+    /// Merges the values of a Boolean variable after several branches. The variable is set if a branch that sets it is
+    /// taken, and keeps its value if a branch that keeps the value is taken.
     SfcEffect merged(const std::string& name, const std::vector<Taken>& taken, Span where) {
         SfcEffect result{sfc_.draft.constant(false, where), sfc_.draft.constant(false, where), {}};
         for (const Taken& branch : taken) {

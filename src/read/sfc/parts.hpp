@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Passes of the conversion of Sequential Function Charts, each over a complete network.
+// Passes of the conversion of Sequential Function Charts. Each pass handles a complete network (steps and transitions
+// of a chart).
 #pragma once
 
 #include <vector>
@@ -8,14 +9,15 @@
 
 namespace grafverif {
 
-/// A transition with its translated condition.
+/// A transition and its translated condition.
 struct SfcBranch {
     const st::Transition* written = nullptr;
     Id<tree::Expr> condition = {};
 };
 
-/// Makes the transitions after one step mutually exclusive according to their priority: each condition is conjoined
-/// with the negation of each condition of higher priority, unless the two conditions are syntactically exclusive.
+/// Makes the transitions after one step mutually exclusive according to their priority: adds the negations of all
+/// conditions with higher priority to each condition, except negations of conditions that are syntactically exclusive
+/// with it.
 void exclude_by_priority(Sfc& sfc, std::vector<SfcBranch>& branches);
 
 }  // namespace grafverif

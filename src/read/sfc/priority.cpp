@@ -22,8 +22,8 @@ std::vector<std::string> conjuncts(const Draft& draft, Id<tree::Expr> condition)
 
 std::string negated(const std::string& text) { return text.starts_with('!') ? text.substr(1) : '!' + text; }
 
-/// True if two conditions are syntactically exclusive: one has the conjunct `a` and the other has `!a`, or `one` has
-/// the conjunct `false`.
+/// True if two conditions are syntactically exclusive: one condition has a conjunct `a` and the other condition has the
+/// conjunct `!a`, or the condition `one` has the conjunct `false`.
 bool exclusive(const std::vector<std::string>& one, const std::vector<std::string>& other) {
     return std::ranges::any_of(one, [&](const std::string& text) {
         return text == "false" || std::ranges::find(other, negated(text)) != other.end();
@@ -52,7 +52,7 @@ void exclude_by_priority(Sfc& sfc, std::vector<SfcBranch>& branches) {
         std::vector<std::size_t>& list = following[step];
         std::ranges::stable_sort(list, {}, [&](std::size_t i) {
             const std::int64_t priority = branches[i].written->priority;
-            // Transitions without a priority follow transitions with a priority.
+            // Transitions without a priority are ordered after transitions with a priority.
             return priority > 0 ? priority : std::int64_t{1} << 40U;
         });
         bool changed = false;

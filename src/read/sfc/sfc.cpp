@@ -38,8 +38,8 @@ void name_steps(Sfc& sfc) {
     }
 }
 
-/// Returns a new input, which replaces a condition that could not be imported. The value of the input is arbitrary at
-/// any time.
+/// Returns a new input that replaces a condition that could not be imported. The value of the input is arbitrary at any
+/// time.
 Id<tree::Expr> unknown_condition(Sfc& sfc, Span where) {
     SfcVariable variable;
     variable.name = sfc.names.invent("unknown_condition");
@@ -71,8 +71,8 @@ void comment(Sfc& sfc, Span where, const std::string& text) {
     for (std::string& line : comment_lines(text)) sfc.draft.comment(where, std::move(line));
 }
 
-/// In an expansion, marks the only step without predecessors as entry step, and the only step without successors as
-/// exit step.
+/// Marks the ends of an expansion of a macro-step: the only step without predecessors becomes the entry step, and the
+/// only step without successors becomes the exit step.
 void mark_ends(Sfc& sfc, const st::Network& network, std::vector<tree::ChartItem>& items) {
     std::unordered_set<Id<st::Word>> reached, left;
     for (const st::Transition& transition : network.transitions) {
@@ -98,8 +98,8 @@ void mark_ends(Sfc& sfc, const st::Network& network, std::vector<tree::ChartItem
     }
 }
 
-/// Returns the steps. If several steps have the same name, the first of these steps gets the actions; the duplicate
-/// name has already been reported.
+/// Returns the steps of a network. If several steps have the same name, which has already been reported, the first of
+/// these steps gets the actions.
 std::vector<tree::ChartItem> steps_of(Sfc& sfc, const st::Network& network, SfcActions& actions,
                                       const std::unordered_map<Id<st::Word>, std::string>& expansions) {
     std::vector<tree::ChartItem> items;
@@ -198,7 +198,7 @@ void add_ranges(Sfc& sfc, tree::Chart& chart) {
     }
 }
 
-/// Adds a partial chart with one step that is always active and has the actions that no other step has.
+/// Adds a partial chart with one step that is always active. The step has the actions that belong to no other step.
 void add_always(Sfc& sfc, SfcActions& actions, tree::Chart& chart) {
     for (const std::string& latch : actions.latches) {
         tree::Variable variable;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Converts Sequential Function Charts (IEC 61131-3) to the tree of a GRAFCET. The differences between SFC and GRAFCET
-// are treated as follows:
+// Converts Sequential Function Charts (SFC, IEC 61131-3) to the syntax tree of a GRAFCET chart. The differences between
+// SFC and GRAFCET are treated as follows:
 //
-// - If several transitions after one step are enabled, SFC clears only the one with the highest priority. Therefore the
+// - If several transitions after one step are enabled, SFC clears only the transition with the highest priority.
+// Therefore the
 //   conditions are made mutually exclusive.
 // - A Boolean variable with the qualifier N is true while its step is active; with the qualifier D, only after the
 //   delay; with the qualifier L, only until the time limit. The qualifiers N, D and L become continuous actions. The
@@ -49,16 +50,16 @@ struct SfcVariable {
     Span where = {};
     SfcKind kind = SfcKind::Boolean;  ///< Bad if charts do not support the type
     tree::VariableKind role = tree::VariableKind::Input;
-    bool constant = false;  ///< true if it is replaced by `initial`
-    bool wide = false;      ///< true if its type exceeds the integers of the input language
-    bool narrow = false;    ///< true if it has a declared range
+    bool constant = false;  ///< true if `initial` replaces the variable
+    bool wide = false;      ///< true if the type has values that the input language lacks
+    bool narrow = false;    ///< true if the variable has a declared range
     std::int64_t initial = 0, low = 0, high = 1;
     std::string comment = {};
     bool used = false;
 };
 
-/// The assignment of a body to a variable: `set || keep && variable` (Boolean) or `value` (Integer). The terms refer to
-/// the values before the execution of the body.
+/// The value that a body assigns to a variable: `set || keep && variable` (Boolean) or `value` (Integer). The terms
+/// refer to the values before the execution of the body.
 struct SfcEffect {
     Id<tree::Expr> set = {}, keep = {}, value = {};
 };
@@ -69,7 +70,7 @@ struct Sfc {
     const st::Unit& unit;
     Draft& draft;
     std::vector<SfcVariable> variables = {};
-    std::unordered_map<std::string, std::size_t> by_name = {};  ///< path in upper case -> variable
+    std::unordered_map<std::string, std::size_t> by_name = {};  ///< for each path in upper case: index of the variable
     std::unordered_map<Id<st::Word>, std::string> steps = {};   ///< names of steps in the input language
     LegalNames names;
 
@@ -77,42 +78,44 @@ struct Sfc {
     void differs(Span where, std::string_view what);
 };
 
-/// Returns `a.b` as in the source; empty for expressions other than a path of names.
+/// Returns the text of a path of names, such as `a.b`, as in the source; empty for other expressions.
 std::string path_of(const st::File& file, Id<st::Expr> expr);
 
 // -- variables.cpp
 void classify_variables(Sfc& sfc);
-/// Returns the variable named `path`. An undeclared variable becomes an input, or an output if it is `written`.
+/// Returns the variable named `path`. An undeclared variable becomes an output if `written` is true, otherwise an
+/// input.
 SfcVariable& variable_of(Sfc& sfc, const std::string& path, Span where, SfcKind expected, bool written);
 std::vector<tree::ChartItem> declarations_of(Sfc& sfc);
 
 // -- terms.cpp
 /// Context that determines the meaning of names in an expression.
 struct SfcScope {
-    std::span<const st::Name> left = {};     ///< upstream steps of the transition; `S.T` is available for them
+    std::span<const st::Name> left = {};     ///< upstream steps of the transition, whose times `S.T` can be read
     const SfcEffects* assigned = nullptr;    ///< values assigned earlier in the body
     std::set<std::string>* reads = nullptr;  ///< receives the variables that are read
 };
 /// Translates an expression; the type is Bad after an error. `expected` is the assumed type of undeclared variables.
 SfcTerm term_of(Sfc& sfc, const SfcScope& scope, Id<st::Expr> expr, SfcKind expected);
-/// Translates an expression that must be Boolean; reports any other type.
+/// Translates an expression, and reports an error if its type is not Boolean.
 Id<tree::Expr> boolean_of(Sfc& sfc, const SfcScope& scope, Id<st::Expr> expr);
 /// Returns a constant duration in milliseconds.
 std::optional<std::int64_t> duration_of(Sfc& sfc, const SfcScope& scope, Id<st::Expr> expr);
-Id<tree::Expr> both(Draft& draft, Id<tree::Expr> left, Id<tree::Expr> right);    ///< `&&`, with constant folding
-Id<tree::Expr> either(Draft& draft, Id<tree::Expr> left, Id<tree::Expr> right);  ///< `||`
-Id<tree::Expr> opposite(Draft& draft, Id<tree::Expr> term);                      ///< `!`
+Id<tree::Expr> both(Draft& draft, Id<tree::Expr> left, Id<tree::Expr> right);    ///< `&&`, folds constants
+Id<tree::Expr> either(Draft& draft, Id<tree::Expr> left, Id<tree::Expr> right);  ///< `||`, folds constants
+Id<tree::Expr> opposite(Draft& draft, Id<tree::Expr> term);                      ///< `!term`
 
 // -- bodies.cpp
 struct SfcBody {
     SfcEffects effects = {};           ///< assignments of the statements
     std::set<std::string> reads = {};  ///< variables that the statements read
 };
-/// Executes statements symbolically; empty after an error.
+/// Executes statements symbolically. The result is empty after an error.
 std::optional<SfcBody> body_of(Sfc& sfc, const st::Block& block);
 
 // -- actions.cpp
-/// The actions of each step, by its name in the input language, and the actions that do not depend on a step.
+/// The actions of each step (the key is the name of the step in the input language), and the actions that do not depend
+/// on a step.
 struct SfcActions {
     std::unordered_map<std::string, std::vector<tree::Action>> of_steps = {};
     std::vector<tree::Action> always = {};

@@ -13,7 +13,8 @@ bool is_constant(const Draft& draft, Id<tree::Expr> term, bool value) {
     return draft[term].op == (value ? tree::Op::True : tree::Op::False);
 }
 
-/// True if two terms are syntactically equal. The recursion depth is limited by the depth of expressions.
+/// True if two terms are syntactically equal. The parser limits the depth of expressions and therefore the recursion
+/// depth.
 bool same(const Draft& draft, Id<tree::Expr> one, Id<tree::Expr> other) {
     const tree::Expr &a = draft[one], &b = draft[other];
     if (a.op != b.op || a.word != b.word || a.value != b.value) return false;
@@ -75,7 +76,7 @@ SfcTerm variable_term(Sfc& sfc, const SfcScope& scope, const std::string& path, 
             SfcKind::Boolean};
 }
 
-/// Translates `S1.X`. The result is empty for any other expression.
+/// Translates the activity of a step, such as `S1.X`. The result is empty for other expressions.
 std::optional<SfcTerm> step_flag(Sfc& sfc, const st::Expr& node) {
     if (node.op != st::Op::Member) return {};
     const st::Expr& owner = sfc.file.exprs[node.first];
@@ -88,7 +89,7 @@ std::optional<SfcTerm> step_flag(Sfc& sfc, const st::Expr& node) {
     return {};
 }
 
-/// Returns the step S1 in `S1.T`. The result is invalid for any other expression.
+/// Returns the step in an expression such as `S1.T` (time of the step S1). The result is invalid for other expressions.
 Id<st::Word> timed_step(const Sfc& sfc, Id<st::Expr> expr) {
     const st::Expr& node = sfc.file.exprs[expr];
     if (node.op != st::Op::Member) return {};
@@ -99,8 +100,8 @@ Id<st::Word> timed_step(const Sfc& sfc, Id<st::Expr> expr) {
                : Id<st::Word>{};
 }
 
-/// Translates `S1.T >= T#5s` to `5s/X1` for a step that the transition leaves. The condition is relevant only while
-/// this step is active.
+/// Translates a comparison of a step time, for example `S1.T >= T#5s` to the time condition `5s/X1`. Only steps
+/// upstream of the transition are allowed, because the condition is relevant only while they are active.
 std::optional<SfcTerm> step_time(Sfc& sfc, const SfcScope& scope, const st::Expr& node) {
     const Id<st::Word> left = timed_step(sfc, node.first), right = timed_step(sfc, node.last);
     if (!left.valid() && !right.valid()) return {};
@@ -121,7 +122,7 @@ std::optional<SfcTerm> step_time(Sfc& sfc, const SfcScope& scope, const st::Expr
     return SfcTerm{from_below ? elapsed : opposite(sfc.draft, elapsed), SfcKind::Boolean};
 }
 
-/// Converts 0 and 1 to FALSE and TRUE if a Boolean is required.
+/// Converts the integers 0 and 1 to FALSE and TRUE if a Boolean is required.
 SfcTerm coerced(Sfc& sfc, SfcTerm term, SfcKind wanted) {
     if (term.kind != SfcKind::Integer || wanted != SfcKind::Boolean) return term;
     const tree::Expr& node = sfc.draft[term.expr];

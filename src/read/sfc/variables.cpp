@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Classifies the variables of a unit. Variables that the chart only reads are inputs, variables that the chart drives
+// Classifies the variables of a unit: variables that the chart only reads are inputs, variables that its actions assign
 // are outputs, and all other variables are internal.
 #include <algorithm>
 #include <array>
@@ -72,7 +72,7 @@ void set_type(Sfc& sfc, SfcVariable& variable, const st::Variable& declared) {
     }
 }
 
-/// Collects the names that the statements of `block` assign, in upper case.
+/// Collects the names of variables that the statements of `block` assign, in upper case.
 void collect_written(const st::File& file, const st::Block& block, std::unordered_set<std::string>& written) {
     std::vector<const st::Block*> work = {&block};
     while (!work.empty()) {
@@ -141,7 +141,7 @@ std::string path_of(const st::File& file, Id<st::Expr> expr) {
     const st::Expr& node = file.exprs[expr];
     if (node.op == st::Op::Name || node.op == st::Op::Address) return std::string(file.text(node.word));
     if (node.op != st::Op::Member) return {};
-    const std::string owner = path_of(file, node.first);  // the recursion depth is limited by the depth of expressions
+    const std::string owner = path_of(file, node.first);  // the parser limits the depth of expressions
     return owner.empty() ? std::string() : owner + '.' + std::string(file.text(node.word));
 }
 
@@ -153,8 +153,7 @@ void classify_variables(Sfc& sfc) {
     for (const st::Variable* one : declared) {
         const std::string key = st::capitals(sfc.file.text(one->name));
         const auto known = sfc.by_name.find(key);
-        if (known !=
-            sfc.by_name.end()) {  // VAR_EXTERNAL repeats a global variable; only the global declaration has the value
+        if (known != sfc.by_name.end()) {  // VAR_EXTERNAL repeats a global variable without its value
             SfcVariable& first = sfc.variables[known->second];
             if (one->section == st::Section::Global && one->constant && one->initial.valid() &&
                 first.role == tree::VariableKind::Input) {

@@ -191,8 +191,7 @@ Id<Expr> Builder::duration(std::int64_t milliseconds, Span where) {
     return id;
 }
 
-/// Returns a node with the word of `name`. The operands of the node are the owner, if `owner` is valid, and the indices
-/// of the name.
+/// Returns a node for the word of `name`. Its operands are `owner`, if valid, and the indices of the name.
 Id<Expr> Builder::named_node(Op op, Id<Expr> owner, Name name, Span where) {
     const Id<Expr> id = owner.valid() ? node(op, {owner}, where) : constant(op, where);
     file_->exprs[id].word = name.word;
@@ -206,8 +205,8 @@ Id<Expr> Builder::named_node(Op op, Id<Expr> owner, Name name, Span where) {
 
 namespace {
 
-/// Returns the position from the beginning of `where` to the end of `name`. The position `where` also includes the
-/// indices of the name.
+/// Returns the span from the beginning of `where` to the end of `name`. The result excludes the indices of the name,
+/// which `where` includes.
 Span up_to(Name name, Span where) { return {where.source, where.begin, name.where.end}; }
 
 }  // namespace
@@ -266,7 +265,7 @@ Id<Expr> Builder::binary(Op op, Id<Expr> left, Id<Expr> right, Span where) {
 Id<Expr> Builder::bracketed(Id<Expr> expression, Span where) {
     Expr& inner = file_->exprs[expression];
     inner.bracketed = true;
-    // The position of a name does not include brackets.
+    // The span of a name excludes the brackets around the name.
     if (inner.op != Op::Name && inner.op != Op::Member && inner.op != Op::In) inner.where = where;
     return expression;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Builder: semantic actions of the grammar. The builder adds expressions to the table of the file and declarations to
-// the list of the file. It also records if the current declaration contains a syntax error.
+// the list of the file. The builder also records if the current declaration contains a syntax error.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ public:
 
     tree::Chart chart(tree::Name name, std::vector<tree::Variables> parameters, std::vector<tree::ChartItem> items,
                       Span where);
-    /// Returns the instance of a chart `partial NAME = CHART(...);`.
+    /// Returns the declaration of a chart instance, `partial NAME = CHART(...);`.
     tree::Partial instance(tree::Name name, tree::Name chart, std::vector<tree::Argument> arguments, Span where);
     tree::Component component(tree::Name name, tree::Component body, Span where);
     tree::Component component_body(std::vector<tree::Variables> parameters,
@@ -44,14 +44,15 @@ public:
     tree::Transition transition(tree::Transition links, Id<tree::Expr> condition,
                                 std::vector<tree::Assignment> assignments, Span where) const;
     tree::Property pattern(Pattern pattern, std::vector<Id<tree::Expr>> operands) const;
-    /// Returns a property with the pattern `plain` if `scope` is global, otherwise a sentence with this scope.
+    /// Returns a property with the pattern `plain` if `scope` is global; otherwise returns a property of the type
+    /// `kind` with this scope.
     tree::Property scoped(Pattern plain, Sentence::Kind kind, std::vector<Id<tree::Expr>> operands,
                           tree::Property scope) const;
     tree::Property scope(Sentence::Scope scope, std::vector<Id<tree::Expr>> operands) const;
-    /// Returns a sentence with a duration or a count.
+    /// Returns a property with the duration or count `bound`.
     tree::Property bounded(Sentence::Kind kind, std::vector<Id<tree::Expr>> operands, Id<tree::Expr> bound,
                            tree::Property scope) const;
-    /// Reports that no number precedes `times`.
+    /// Reports an error: no number precedes the keyword `times`.
     tree::Property uncounted(std::vector<Id<tree::Expr>> operands, tree::Name times, tree::Property scope);
     tree::Property formula(Pattern pattern, std::string raw, Span where) const;
     tree::Property named(tree::Name name, std::string text, bool expected_violated, tree::Property pattern,
@@ -77,11 +78,12 @@ public:
 private:
     Id<tree::Expr> node(tree::Op op, std::initializer_list<Id<tree::Expr>> operands, Span where);
     Id<tree::Expr> named_node(tree::Op op, Id<tree::Expr> owner, tree::Name name, Span where);
-    /// What the parser has found in the current declaration.
+    /// Facts about the current declaration that the parser has found: it contains a syntax error (`broken`) or
+    /// replicated declarations.
     struct Marks {
         bool broken = false, replicated = false;
     };
-    /// Returns the marks of the current declaration, and starts the next one.
+    /// Returns the marks of the current declaration, and resets them for the next declaration.
     Marks take_marks();
 
     tree::File* file_;

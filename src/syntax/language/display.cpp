@@ -22,8 +22,8 @@ namespace grafverif {
 
 namespace {
 
-/// Collects characters that control editors and terminals. Stores, for each character, its first position and the
-/// number of further occurrences.
+/// Collects control characters, which change the display in editors and terminals. Stores the first position and the
+/// number of further occurrences of each character.
 class Controls {
 public:
     explicit Controls(Span part) : part_(part) {}
@@ -61,7 +61,7 @@ bool is_blank(std::string_view text) {
     return std::string_view(" \t\n\f\v").find(text.front()) != std::string_view::npos;
 }
 
-/// A declared text with which a name can be confused.
+/// A keyword, step variable or name with which another name can be confused.
 struct Lookalike {
     std::string text = {};
     std::string_view what = {};
@@ -105,14 +105,14 @@ public:
             add(file.words[word].text, "name", word.index < first_places.size() ? first_places[word.index] : Span{});
     }
 
-    /// Returns a declared text that differs from `name` but looks the same. An ASCII text is preferred; otherwise the
-    /// result is the first such text that is declared before `name`.
+    /// Returns a keyword, step variable or name that differs from `name` but looks the same; null if there is none. An
+    /// ASCII text is preferred; otherwise the result is the first text with this property that precedes `name`.
     const Lookalike* like(std::string_view name) const {
         const auto found = by_skeleton_.find(skeleton(name));
         if (found == by_skeleton_.end()) return nullptr;
         const Lookalike* best = nullptr;
         for (const Lookalike& each : found->second) {
-            if (each.text == name) break;  // a later text is reported as a lookalike of `name`
+            if (each.text == name) break;  // `name` is reported for the later text
             if (best == nullptr) best = &each;
         }
         for (const Lookalike& each : found->second)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Warnings about text whose display in editors and terminals is misleading: control characters, and names that look the
-// same (equal skeletons of UTS 39 within one file).
+// Warns about text whose display in editors and terminals is misleading: control characters, and different names in one
+// file that look the same (equal skeletons of UTS 39, Unicode Security Mechanisms).
 #pragma once
 
 #include <span>
@@ -11,7 +11,8 @@
 
 namespace grafverif {
 
-/// Warns about lone carriage returns and other line separators, bidirectional controls and other control characters.
+/// Warns about control characters in `part`, such as bidirectional controls, and about unusual line separators, such as
+/// a carriage return without a line feed.
 void check_controls(Span part, const Sources& sources, Diagnostics& diagnostics);
 
 /// Warns about each name with non-ASCII characters that looks like a keyword, a step variable or another name of

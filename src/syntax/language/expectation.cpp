@@ -13,7 +13,7 @@ namespace {
 
 using Symbols = Parser::symbol_kind;
 
-/// True for identifiers and for contextual keywords, which are also allowed as names.
+/// True for identifiers and contextual keywords. A contextual keyword is also allowed as a name.
 bool is_word(Symbol symbol) {
     return (symbol >= Symbols::S_CONSTRAINT && symbol <= Symbols::S_FALL) || symbol == Symbols::S_IDENTIFIER;
 }
@@ -122,7 +122,7 @@ std::string keyword_of(std::string_view word, std::span<const Symbol> expected) 
         nearest.offer(keyword);
     }
     const std::string& best = nearest.best();
-    constexpr std::size_t shortest = 4;  // minimum length of a word; a shorter word resembles too many keywords
+    constexpr std::size_t shortest = 4;  // a word with fewer letters resembles too many keywords
     const auto same = [](char a, char b) {
         return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
     };

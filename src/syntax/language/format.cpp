@@ -26,17 +26,17 @@ class Page {
 public:
     explicit Page(const tree::File& file) : file_(&file) {}
 
-    /// Starts the element that begins at `begin` in the source. Writes the comments before the element. Writes a blank
-    /// line before the element if the source has a blank line there or if `apart` is true.
+    /// Prepares the output of the element that begins at `begin` in the source: writes the comments before the element.
+    /// Also writes a blank line before the element if the source has a blank line there or if `apart` is true.
     void before(std::uint32_t begin, bool apart = false);
-    /// Writes the comments that begin before `end` on separate lines. These comments are inside an element that is
-    /// printed as a unit.
+    /// Writes the comments that begin before `end` on separate lines. The caller uses this function for comments inside
+    /// an element that is printed as a unit.
     void within(std::uint32_t end);
     void line(std::string text);
     /// Appends to the current line the end-of-line comments that begin before `limit`. Later comments belong to the
     /// next element.
     void trailing_comments(std::uint32_t limit);
-    /// Writes the comments up to the end of a block or of the file.
+    /// Writes the remaining comments up to `end`, the end of a block or of the file.
     void remaining(std::uint32_t end);
 
     void indent() {
@@ -65,7 +65,7 @@ private:
     std::vector<Line> lines_ = {};
     std::size_t next_ = 0;  ///< index of the next comment
     std::size_t depth_ = 0;
-    bool fresh_ = true;  ///< true at the start of a block or of the file: no blank line is written there
+    bool fresh_ = true;  ///< true at the start of a block or file: no blank line is written
 };
 
 bool Page::gap_at(std::uint32_t position) const { return std::ranges::binary_search(file_->gaps, position); }
@@ -119,7 +119,7 @@ void Page::own_line(const tree::Comment& comment) {
     fresh_ = false;
 }
 
-/// Writes the lines, and aligns the end-of-line comments of adjacent lines.
+/// Writes the lines to `out`, and aligns the end-of-line comments of adjacent lines.
 void Page::write(std::ostream& out) const {
     for (std::size_t from = 0; from < lines_.size();) {
         std::size_t to = from, width = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// format: prints a tree in the canonical layout, as `fmt` does.
+// format: prints a syntax tree in the canonical layout (command `fmt`).
 //
 // Layout: one declaration per line, blocks indented by four spaces, one spelling of each operator. Brackets appear only
 // where precedence requires them, or where `&&` and `||` are mixed. Comments are kept. A comment on a separate line
@@ -15,14 +15,14 @@
 
 namespace grafverif {
 
-/// Prints the file, which must not be `broken`.
+/// Prints the file. Requires that the file and its declarations have no syntax error (`broken` is false).
 void format(const tree::File& file, std::ostream& out);
 std::string formatted(const tree::File& file);
 /// Returns an expression in the notation of `format`.
 std::string formatted(const tree::File& file, Id<tree::Expr> expression);
-/// Returns a name with its indices: `slot[i][2]`.
+/// Returns a name with its indices, such as `slot[i][2]`.
 std::string formatted(const tree::File& file, tree::Name name);
-/// Returns `i in 1..4`.
+/// Returns the text of an index variable with its range, such as `i in 1..4`.
 std::string formatted(const tree::File& file, const tree::Replication& replication);
 
 }  // namespace grafverif

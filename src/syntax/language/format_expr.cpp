@@ -11,7 +11,7 @@ namespace grafverif {
 
 namespace {
 
-/// Returns the precedence of an operator; the order of precedences is that of the grammar.
+/// Returns the precedence of an operator; a higher number binds more strongly. The order is the same as in the grammar.
 int precedence(tree::Op op) {
     switch (op) {
     case tree::Op::Implies: return 0;
@@ -92,7 +92,7 @@ public:
         }
     }
 
-    /// Prints a name with its indices, the first of which is `index`.
+    /// Prints a name with its indices. `index` is the first index; the other indices are its siblings.
     void print(Id<tree::Word> word, Id<tree::Expr> index) {
         text += file_->text(word);
         for (; index.valid(); index = file_->exprs[index].next) {

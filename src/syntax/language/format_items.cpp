@@ -13,8 +13,8 @@ namespace grafverif {
 
 namespace {
 
-constexpr std::size_t widest = 120;       ///< longer lines are broken if possible
-constexpr std::size_t comfortable = 100;  ///< longest line of an element that can also be written on several lines
+constexpr std::size_t widest = 120;       ///< maximum length of a line, if it can be broken
+constexpr std::size_t comfortable = 100;  ///< maximum length of an element in one line, if it can have several lines
 
 std::string joined(const std::vector<std::string>& parts) {
     std::string line;
@@ -28,8 +28,8 @@ std::string names(const tree::File& file, const std::vector<tree::Name>& written
     return joined(parts);
 }
 
-/// Returns `head`, the comma-separated parts and `tail` on as many lines as necessary. Continuation lines are aligned
-/// with the first of these parts.
+/// Returns `head`, the comma-separated `parts` and `tail` on as many lines as necessary. Continuation lines are aligned
+/// with the first part.
 Lines filled(const std::string& head, const std::vector<std::string>& parts, const std::string& tail,
              std::size_t column) {
     Lines lines = {head};
@@ -74,7 +74,8 @@ std::string assignments(const tree::File& file, const std::vector<tree::Assignme
     return joined(parts);
 }
 
-/// Returns `HEAD when CONDITION do ASSIGNMENTS;`. A long line is broken before `when` and, if necessary, before `do`.
+/// Returns the text of an edge or transition, `HEAD when CONDITION do ASSIGNMENTS;`. A long line is broken before
+/// `when` and, if necessary, before `do`.
 Lines guarded(const tree::File& file, const std::string& head, Id<tree::Expr> condition,
               const std::vector<tree::Assignment>& actions, std::size_t column) {
     std::vector<std::string> clauses;
@@ -101,7 +102,7 @@ Lines item_lines(const tree::File& file, const tree::Variables& written, std::si
     case tree::VariableKind::Output: word = "output "; break;
     case tree::VariableKind::Internal: word = "internal "; break;
     case tree::VariableKind::Own: word = "variable "; break;
-    // This keyword is used only in closed loops; component heads have no keyword for constants.
+    // The keyword `constant` is used only in closed loops; component heads have no keyword for constants.
     case tree::VariableKind::Constant: word = "constant "; break;
     }
     return filled(word, variables(file, written), ";", column);
@@ -236,7 +237,7 @@ std::string head_with_parameters(const tree::File& file, std::string_view keywor
 
 namespace {
 
-/// Returns `HEAD CALLED(ARGUMENTS)` and `tail`.
+/// Returns the text `HEAD CALLED(ARGUMENTS)`, followed by `tail`.
 Lines call(const tree::File& file, std::string head, tree::Name called, const std::vector<tree::Argument>& arguments,
            const std::string& tail, std::size_t column) {
     head += formatted(file, called) + '(';

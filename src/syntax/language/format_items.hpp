@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Prints each type of declaration as lines, without comments. `column` is the indentation.
+// Returns the lines of each type of declaration, without comments. `column` is the indentation in characters.
 #pragma once
 
 #include <cstddef>
@@ -32,16 +32,16 @@ Lines item_lines(const tree::File& file, const tree::Fault& written, std::size_t
 Lines item_lines(const tree::File& file, const tree::Property& written, std::size_t column);
 Lines item_lines(const tree::File& file, const tree::Accept& written, std::size_t column);
 
-/// Returns `initial step 0`, without actions.
+/// Returns the head of a step without its actions, such as `initial step 0`.
 std::string step_head(const tree::File& file, const tree::Step& step);
 /// Returns a step such as `step 1 { A; B; }` if the line is short and the step has at most two actions or only plain
 /// actions. For any other step, the result is empty.
 std::optional<std::string> step_in_one_line(const tree::File& file, const tree::Step& step, std::size_t column);
-/// Returns `component NAME(...)`, on several lines if one line would be too long.
-/// Returns `KEYWORD NAME(PARAMETERS)`, on several lines if necessary.
+/// Returns the head of a chart or component, `KEYWORD NAME(PARAMETERS)`, on several lines if one line would be too
+/// long.
 std::string head_with_parameters(const tree::File& file, std::string_view keyword, tree::Name name,
                                  const std::vector<tree::Variables>& parameters);
-/// Returns `partial NAME = CHART(ARGUMENTS);`.
+/// Returns the lines of a chart instance, `partial NAME = CHART(ARGUMENTS);`.
 Lines instance_lines(const tree::File& file, const tree::Partial& written, std::size_t column);
 
 }  // namespace grafverif

@@ -23,8 +23,8 @@ using Symbols = Parser::symbol_kind;
 
 constexpr std::size_t longest_name = 1000;
 
-/// The components of a duration such as `1.5s`: digits before the decimal point, decimals and unit. The unit may be
-/// unknown.
+/// The parts of a duration such as `1.5s`: digits before the decimal point, decimals and unit. The unit may be one that
+/// the language does not have.
 struct Measure {
     std::string_view digits = {}, decimals = {}, unit = {};
 };
@@ -139,7 +139,7 @@ void Lexer::advance(std::string_view match) {
 
 void Lexer::lines() { line_ends_ += static_cast<std::uint32_t>(match_.size()); }
 
-/// Begins a token or comment. Records the blank line before this token or comment, if there is a blank line.
+/// Begins a token or comment. If a blank line precedes this token or comment, records the blank line.
 void Lexer::begin_element() {
     if (line_ends_ > 1 && anything_) file_->gaps.push_back(here_.begin);
     line_ends_ = 0;
@@ -209,8 +209,8 @@ Token Lexer::decimal_without_unit() {
     return broken(messages::decimal_number(here_, match_));
 }
 
-/// Returns the span of an operator of CTL or UPPAAL, such as `A[]` or `<>`, if the current token is its bracket and the
-/// operator begins a pattern. The result is invalid in all other cases.
+/// Returns the span of an operator of CTL or UPPAAL, such as `A[]` or `<>`. Conditions: the current token is the
+/// bracket in this operator, and the operator begins a pattern. The result is invalid in all other cases.
 Span Lexer::operator_of_ctl() const {
     const std::string_view brackets = std::string_view(source_->text).substr(here_.begin, 2);
     if (brackets != "[]" && brackets != "<>") return {};
@@ -221,8 +221,8 @@ Span Lexer::operator_of_ctl() const {
     return is_letter && earlier_ == Symbols::S_COLON ? spanning(before_where_, both) : Span{};
 }
 
-/// Reports an operator of CTL or UPPAAL that begins a pattern, and names the corresponding keyword of the .grafcet
-/// language.
+/// Reports an operator of CTL or UPPAAL that begins a pattern. The message names the corresponding keyword of the
+/// .grafcet language.
 std::optional<Token> Lexer::error_of_ctl() {
     const Span where = operator_of_ctl();
     if (!where.source.valid()) return {};
@@ -253,14 +253,14 @@ Token Lexer::unexpected_character() {
     return broken(messages::unexpected_character(here_, match_));
 }
 
-/// Reads a `[`, which begins an index unless it belongs to an operator of CTL or UPPAAL.
+/// Reads a `[`. The `[` begins an index unless it belongs to an operator of CTL or UPPAAL.
 Token Lexer::index() {
     begin_element();
     if (const auto error = error_of_ctl()) return *error;
     return {Parser::token::INDEX, here_};
 }
 
-/// Reports a lexical error. After this error, the parser resumes at the next declaration.
+/// Reports a lexical error, and skips to the next declaration, where the parser resumes.
 Token Lexer::broken(Diagnostic diagnostic) {
     const Span where = diagnostic.where;
     report(std::move(diagnostic));
@@ -289,7 +289,7 @@ bool Lexer::nests_too_deep(Kind next) const {
     }
 }
 
-/// Records that the parser has accepted the last token.
+/// Records that the parser has accepted the last returned token.
 void Lexer::consumed() {
     switch (last_) {
     case Symbols::S_NOT:

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Lexer: returns the tokens of a text with their positions to the parser, and performs error recovery.
+// Lexer: returns the tokens of a text with their positions to the parser, and finds the position at which the parser
+// resumes after an error.
 //
-// Comments and blank lines are stored in the file, outside the tree. After an error, the lexer skips to the next
-// declaration, where it returns the token RESUME. The lexer resumes after a `;`, before the `}` that ends the current
-// block, or at a keyword that begins a declaration and is the first token of a line. A top-level declaration
+// The lexer stores comments and blank lines in tree::File, outside the tree. After an error, the lexer skips to the
+// next declaration, where it returns the token RESUME. The lexer resumes after a `;`, before the `}` that ends the
+// current block, or at a keyword that begins a declaration and is the first token of a line. A top-level declaration
 // (`grafcet`, ...) at the start of a line ends every open block. A declaration of a chart ends the action list of a
-// step. Therefore, a missing `}` causes only one error. If the text ends inside a block, the lexer first returns
-// CUT_OFF, because a Bison parser aborts if it cannot discard the offending token.
+// step. Therefore, a missing `}` causes only one error. If the text ends inside a block, the lexer returns the token
+// CUT_OFF before the token END. Reason: a Bison parser aborts if it cannot discard the token that caused an error.
 #pragma once
 
 #include <atomic>
@@ -51,11 +52,11 @@ public:
     Lexer(const Source& source, Span part, tree::File& file, Diagnostics& diagnostics,
           const std::atomic<bool>* stop = nullptr);
 
-    /// Returns the first occurrence of each word of the file.
+    /// Returns the position of the first occurrence of each word of the file.
     std::span<const Span> first_places() const { return first_places_; }
     /// Returns the next token.
     Token next();
-    /// Reports the last token as unexpected and resumes at the next declaration.
+    /// Reports the last returned token as unexpected, and skips to the next declaration.
     void report_unexpected(Kind seen, Span where, std::span<const Kind> expected);
 
     // The rules of the scanner call the following functions.
@@ -107,21 +108,21 @@ private:
     std::string_view match_ = {};  ///< current match of the scanner
     Span here_ = {};               ///< position of `match_`
     std::uint32_t line_ends_ = 0;  ///< number of line ends since the last token or comment
-    bool anything_ = false;        ///< true if a token or comment has been read
+    bool anything_ = false;        ///< true after the first token or comment
 
     std::deque<Token> pending_ = {};  ///< tokens to return before scanning continues
     bool recovering_ = false;
     bool cut_off_ = false;           ///< true if the text ended within a block, and CUT_OFF was returned
-    Span reported_ = {};             ///< the last reported token, which is not reported twice
-    std::uint32_t handed_back_ = 0;  ///< end of the token that was returned again after the last error; if the next
-                                     ///< error is at the same token, the token is skipped
+    Span reported_ = {};             ///< the last reported token; it is reported only once
+    std::uint32_t handed_back_ = 0;  ///< end of the token that was returned again after the last error; if an
+                                     ///< error occurs at the same token again, the token is skipped
     Kind last_ = Parser::symbol_kind::S_YYEMPTY;  ///< the last returned token
     Span last_where_ = {};
     tree::Name last_name_ = {};
     Kind before_ = Parser::symbol_kind::S_YYEMPTY;  ///< the last token that the parser accepted
     Span before_where_ = {};
     Kind earlier_ = Parser::symbol_kind::S_YYEMPTY;    ///< the accepted token before `before_`
-    Kind declaring_ = Parser::symbol_kind::S_YYEMPTY;  ///< the last keyword that begins a block
+    Kind declaring_ = Parser::symbol_kind::S_YYEMPTY;  ///< the last keyword that began a block
     Span heading_ = {};                                ///< `declaring_` and the name that follows it
     std::vector<Block> blocks_ = {};                   ///< open blocks
     Span less_indented_ = {};  ///< heading of the first block whose `}` is indented less than its heading

@@ -29,7 +29,8 @@ bool declares_in_file(Symbol kind) {
     }
 }
 
-/// True for reserved words that begin a declaration of a chart. An action of a step cannot begin with such a word.
+/// True for reserved words that begin a declaration of a chart. An action of a step cannot begin with one of these
+/// words.
 bool declares_in_chart(Symbol kind) {
     switch (kind) {
     case Symbols::S_INPUT:
@@ -96,8 +97,9 @@ std::size_t Lexer::indentation(std::uint32_t place) const {
     return std::min(line.find_first_not_of(" \t"), line.size());
 }
 
-/// Reports a missing `}` if a `}` is permitted at `where` and one of two conditions holds: the text ends at `where`, or
-/// a line begins at `where` with a declaration that the current block does not allow. Returns true after a report.
+/// Reports a missing `}` if a `}` is permitted at `where` and one of two conditions is satisfied: the text ends at
+/// `where`, or a line begins at `where` with a declaration that the current block does not allow. Returns true if it
+/// has reported an error.
 bool Lexer::report_missing_brace(Kind seen, Span where, std::span<const Kind> expected) {
     if (blocks_.empty() || !contains(expected, Symbols::S_CLOSE)) return false;
     const bool at_end = seen == Symbols::S_YYEOF, in_file = declares_in_file(seen);
@@ -111,7 +113,7 @@ bool Lexer::report_missing_brace(Kind seen, Span where, std::span<const Kind> ex
 }
 
 /// Reports operators and keywords of other languages, and keywords of the .grafcet language at positions that do not
-/// allow these keywords. Returns true after a report.
+/// allow them. Returns true if it has reported an error.
 bool Lexer::report_other_notation(Kind seen, Span where, std::span<const Kind> expected) {
     const std::string_view text = seen_text(where), before = seen_text(before_where_);
     const bool in_pattern = contains(expected, Symbols::S_PRECEDES);

@@ -18,8 +18,8 @@ inline constexpr std::size_t most_indices = 8;
 /// Returns the empty span immediately after `span`.
 inline Span after(Span span) { return {span.source, span.end, span.end}; }
 
-/// Returns the span from the first to the last of `count` positions. Empty positions before the first nonempty position
-/// are ignored.
+/// Returns the span from the first to the last of `count` spans. Empty spans before the first nonempty span are
+/// ignored.
 template <class Place>
 Span across(std::size_t count, const Place& place) {
     Span first = place(1);

@@ -15,8 +15,8 @@ inline constexpr std::size_t largest_text = std::size_t{256} << 20U;  ///< maxim
 /// Windows-1252, with a warning.
 void make_utf8(Id<Source> source, Sources& sources, Diagnostics& diagnostics);
 
-/// True if `part` is valid UTF-8 and not larger than `largest_text`. If the result is false, reports that `part` is
-/// UTF-16, contains a byte that is not UTF-8, or is larger than `largest_text`.
+/// True if `part` is valid UTF-8 and not larger than `largest_text`. Otherwise, reports the reason: `part` is UTF-16,
+/// contains a byte that is not UTF-8, or is larger than `largest_text`.
 bool is_readable(Span part, const Sources& sources, Diagnostics& diagnostics);
 
 /// Returns `part` without a leading byte order mark.

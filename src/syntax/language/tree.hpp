@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// tree: abstract syntax of a file before name resolution. The parser passes the tree to name resolution, and `fmt`
-// prints the tree; later stages do not use it.
+// tree: abstract syntax of a .grafcet file before name resolution. The parser passes the tree to name resolution, and
+// the command `fmt` prints it; later stages do not use the tree.
 //
 // Names are interned: two names in one file are equal if and only if their word ids are equal. Expressions are stored
-// in one flat table and operands are linked as siblings, so that a term of any width needs no separate allocation.
-// Every node and declaration has a span. Comments and blank lines are stored outside the tree, ordered by position.
+// in one flat table. The operands of a node form a linked list, so that a node with any number of operands needs no
+// separate allocation. Every node and declaration has a span. Comments and blank lines are stored outside the tree,
+// ordered by position.
 #pragma once
 
 #include <cstddef>
@@ -30,9 +31,9 @@ struct Expr;
 /// An occurrence of a name; invalid if an optional name is missing.
 struct Name {
     Id<Word> word = {};
-    Span where = {};         ///< position without indices
-    Id<Expr> index = {};     ///< the first of the indices of `FULL[i]`, which are siblings; invalid if there is none
-    std::uint32_t copy = 0;  ///< in a copy of a replicated declaration: number in `File::copies` plus one
+    Span where = {};         ///< span of the name without its indices
+    Id<Expr> index = {};     ///< first index of a name such as `FULL[i]`; invalid if there is none
+    std::uint32_t copy = 0;  ///< copy of a replicated declaration: index in `File::copies` plus one
     bool valid() const { return word.valid(); }
 };
 
@@ -41,18 +42,18 @@ enum class Op : std::uint8_t {
     True,
     Number,
     Duration,
-    Name,    // word; the operands are indices
-    Member,  // first operand `.` word; further operands are indices
-    In,      // first operand `in` word; further operands are indices
-    All,     // index variable (a Name), lowest and greatest value, term
+    Name,    // a name, `word`; the operands are its indices
+    Member,  // `OWNER.word`; the first operand is the owner, the others are indices
+    In,      // `OWNER in word`; the operands are those of a Member
+    All,     // operands of All, Any, Each: index variable (a Name), lowest and greatest value, term
     Any,
-    Each,  // element of a list: one term for each value
+    Each,  // in a list: one element for each value of the index variable
     Not,
     Rise,
     Fall,
     Negate,
     And,
-    Or,  // operators with two or more operands
+    Or,  // And, Or: two or more operands
     Implies,
     Equal,
     NotEqual,
@@ -106,7 +107,7 @@ struct Variable {
     Span where = {};
 };
 
-enum class VariableKind { Input, Output, Internal, Own, Constant };  ///< Own is a `variable` of a component
+enum class VariableKind { Input, Output, Internal, Own, Constant };  ///< Own: a `variable` of a component
 struct Variables {
     VariableKind kind = VariableKind::Input;
     std::vector<Variable> variables = {};
@@ -116,7 +117,7 @@ struct Variables {
 struct Constraint {
     Id<Expr> condition = {};
     Span where = {};
-    std::uint32_t copy = 0;  ///< as in Name
+    std::uint32_t copy = 0;  ///< see Name::copy
 };
 
 /// An assignment `target := value`.
@@ -126,7 +127,7 @@ struct Assignment {
     Span where = {};
 };
 
-/// An argument `NAME = VALUE` of an instance.
+/// An argument `NAME = VALUE` of an instance of a chart or component.
 struct Argument {
     Name parameter = {};
     Id<Expr> value = {};
@@ -163,7 +164,8 @@ struct Step {
     bool initial = false, linked = false, entry = false, exit = false;
     StepKind kind = StepKind::Ordinary;
     Name name = {};
-    /// The name of the expansion of a macro-step, or the names of the charts that an enclosing step encloses.
+    /// For a macro-step, the name of its expansion; for an enclosing step, the names of the partial charts that it
+    /// encloses.
     std::vector<Name> contents = {};
     std::vector<Action> actions = {};
     Span where = {};
@@ -191,15 +193,15 @@ struct ReplicatedChartItems;
 using ChartItem = std::variant<Variables, Constraint, Accept, Step, Transition, Partial, ReplicatedChartItems>;
 
 enum class PartialKind { Partial, Expansion };
-/// A partial chart. The declaration `partial NAME = CHART(...);` has a chart and arguments instead of items.
+/// A partial chart. An instance `partial NAME = CHART(...);` has a chart and arguments instead of items.
 struct Partial {
     PartialKind kind = PartialKind::Partial;
     Name name = {};
     std::vector<ChartItem> items;  // without an initializer, because ReplicatedChartItems is incomplete here
     Span where = {};
-    Name chart = {};  ///< invalid if the items are written out
+    Name chart = {};  ///< the chart of an instance; otherwise invalid
     std::vector<Argument> arguments = {};
-    std::vector<Variables> ports = {};  ///< filled by name resolution: the ports of `chart` with their variables
+    std::vector<Variables> ports = {};  ///< set by name resolution: inputs and outputs of `chart` with their variables
 };
 
 /// Declarations that are repeated for each value of an index variable: `for i in 1..4 { ... }`.
@@ -214,7 +216,7 @@ struct Chart {
     std::vector<ChartItem> items = {};
     Span where = {};
     bool broken = false;      ///< true if the declaration contains a syntax error
-    bool replicated = false;  ///< true if the declaration is expanded (see syntax/resolve/expand)
+    bool replicated = false;  ///< true if the declaration contains replications, which syntax/resolve/expand replaces
     std::vector<Variables> parameters = {};
 };
 
@@ -257,8 +259,8 @@ struct Component {
 
 // -- closed loops -----------------------------------------------------------------------------------------------------
 
-/// Task cycle of a controller. `most` is invalid if the cycle is not a range; both ids are invalid if the controller
-/// has no task cycle.
+/// Task cycle of a controller: the time between two scans, from `least` to `most`. `most` is invalid if the time is
+/// fixed; both ids are invalid if the controller has no task cycle.
 struct TaskCycle {
     Id<Expr> least = {}, most = {};
     Span where = {};
@@ -269,7 +271,7 @@ struct Controller {
     TaskCycle cycle = {};
     std::vector<Name> options = {};
     Span where = {};
-    Name instance = {};  ///< invalid if the controller is the chart
+    Name instance = {};  ///< name of the instance; invalid in `controller CHART;`
     std::vector<Argument> arguments = {};
     Name name() const { return instance.valid() ? instance : chart; }
 };
@@ -289,7 +291,7 @@ struct Instance {
     Name initial = {};
     Span where = {};
 };
-/// A declaration `fault NAME of INSTANCE: COMPONENT(...)`; `behaviour` contains the name and the component.
+/// A declaration `fault NAME of INSTANCE: COMPONENT(...)`. `behaviour` contains NAME, COMPONENT and the arguments.
 struct Fault {
     Name of = {};
     Instance behaviour = {};
@@ -301,8 +303,8 @@ struct Property {
     bool expected_violated = false;
     Pattern pattern = Pattern::Always;
     std::vector<Id<Expr>> operands = {};
-    Sentence watch = {};  ///< valid only for Pattern::Watched; `bound` is its duration or count
-    Id<Expr> bound = {};  ///< invalid if the sentence has no bound
+    Sentence watch = {};  ///< only for Pattern::Watched
+    Id<Expr> bound = {};  ///< duration or count in the property; invalid if it has neither
     std::string raw = {};
     Span raw_where = {};  ///< position including the quotes
     bool at_stable = false;
@@ -315,7 +317,7 @@ struct Schedule {
 struct ObserverEdge {
     Name from = {}, to = {};
     Id<Expr> condition = {};
-    std::vector<Assignment> assignments = {};  ///< not allowed; name resolution rejects any assignment
+    std::vector<Assignment> assignments = {};  ///< always an error, which name resolution reports
     Span where = {};
 };
 using ObserverItem = std::variant<Location, ObserverEdge>;
@@ -357,13 +359,13 @@ struct PlcProgram {
 };
 using Declaration = std::variant<Include, Chart, Component, ClosedLoop, PlcProgram>;
 
-/// A copy of replicated declarations, or of the declarations of a chart in an instance.
+/// A copy of the declarations in a replication, or of the declarations of a chart in an instance.
 struct Copy {
     Id<Word> index = {};  ///< name of the index variable or of the instance
     std::int64_t value = 0;
     Span where = {};           ///< position of the replication or of the instance
-    std::uint32_t outer = 0;   ///< the enclosing copy, as in Name::copy
-    bool is_instance = false;  ///< true for an instance of a chart, which has no value
+    std::uint32_t outer = 0;   ///< the enclosing copy: index plus one; 0 if there is none
+    bool is_instance = false;  ///< true for an instance of a chart; `value` then has no meaning
     bool in_instance = false;  ///< true for an instance and for the copies in it
 };
 
@@ -373,10 +375,10 @@ struct File {
     Table<Expr> exprs = {};
     std::vector<Declaration> declarations = {};
     std::vector<Comment> comments = {};    ///< comments in order of position
-    std::vector<std::uint32_t> gaps = {};  ///< start of the first element after each blank line, increasing
-    bool broken = false;                   ///< true if a syntax error is in a declaration or between declarations
+    std::vector<std::uint32_t> gaps = {};  ///< offset of the first element after each blank line, increasing
+    bool broken = false;                   ///< true if the file contains a syntax error
     bool incomplete = false;               ///< true if a declaration is missing because of an error in its head
-    std::vector<Copy> copies = {};         ///< filled by name resolution (syntax/resolve/expand)
+    std::vector<Copy> copies = {};         ///< added by name resolution (syntax/resolve/expand)
 
     std::string_view text(Name name) const { return words[name.word].text; }
     std::string_view text(Id<Word> word) const { return words[word].text; }
@@ -384,7 +386,8 @@ struct File {
 
 Span where(const Declaration& declaration);
 
-/// Calls `visit` for each declaration of a closed loop, also for replicated declarations, once for all copies.
+/// Calls `visit` for each declaration of a closed loop, including declarations in replications. A declaration in a
+/// replication is visited only once.
 template <class Visit>
 void each_item(const std::vector<LoopItem>& items, const Visit& visit) {
     for (const LoopItem& item : items)
@@ -392,8 +395,8 @@ void each_item(const std::vector<LoopItem>& items, const Visit& visit) {
         else visit(item);
 }
 
-/// Interns words into the table of a file, which must be empty. The parser and printers that build trees use this
-/// class.
+/// Interns words into the table of words of a file. Requires that the table is empty. The parser and functions that
+/// build trees use this class.
 class Words {
 public:
     explicit Words(Table<Word>& words) : words_(&words) {}
@@ -407,7 +410,7 @@ private:
     std::vector<std::uint32_t> slots_ = {};  ///< open addressing: index into words_ plus one; 0 is free
 };
 
-/// Returns the range of an All, Any or Each node.
+/// Returns the index variable and range of an All, Any or Each node.
 Replication replication(const File& file, const Expr& node);
 
 /// Appends `operand` to the operands of `node`.

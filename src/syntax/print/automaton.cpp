@@ -75,7 +75,8 @@ Json instability_json(const Automaton& automaton, const Automaton::Instability& 
             {"cycle", cycle}};
 }
 
-/// Writes a JSON array with one entry per line. The array is not stored in memory.
+/// Writes a JSON array with one entry per line. Each entry is written immediately, so that the array is never stored in
+/// memory.
 template <class Entries, class Write>
 void print_table(std::ostream& out, const char* name, const Entries& entries, Write write) {
     out << ",\n  \"" << name << "\": [";
@@ -87,8 +88,8 @@ void print_table(std::ostream& out, const char* name, const Entries& entries, Wr
     out << "\n  ]";
 }
 
-/// Prints the opening bracket and the members of `object`. The caller can print further members and the closing
-/// bracket.
+/// Prints the opening bracket and the members of a JSON object. The caller can print further members and must print the
+/// closing bracket.
 void print_members(std::ostream& out, const Json& object) {
     bool first = true;
     for (const auto& [name, value] : object.items()) {

@@ -48,7 +48,7 @@ std::string prefix_of(const Network& network, const Network::Controller& control
 }
 
 std::string time_text(const Network& network, const Network::Controller& controller, std::size_t timer) {
-    if (timer >= controller.words.timers.size()) return "";  // a subnetwork has no names of timers
+    if (timer >= controller.words.timers.size()) return "";  // a subnetwork lacks the names of timers
     const auto& times = controller.words.timers[timer];
     if (times.watched.empty()) return "";
     return time_text(times.rise_ms, prefix_of(network, controller) + times.watched, times.fall_ms);

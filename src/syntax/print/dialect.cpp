@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Dialects of the target languages, and the printer of expressions. The precedence levels, from lowest to highest, are:
-// conditional, or, and, comparison, sum, product, prefix, atom. Each dialect assigns operators to these levels
+// Defines the dialects of the target languages and prints expressions. The precedence levels, from lowest to highest,
+// are: conditional, or, and, comparison, sum, product, prefix, atom. Each dialect assigns operators to these levels
 // according to the precedence in the target language.
 #include "syntax/print/dialect.hpp"
 
@@ -128,8 +128,8 @@ Spelling scl_spelling(Op op) {
     return spelling;
 }
 
-// The operand of `!` is printed in brackets unless it is a leaf. An operand `!x` of a comparison is also printed in
-// brackets, because compilers warn about `!x == y`.
+// In C, the operand of `!` is printed in brackets unless it is a leaf. An operand `!x` of a comparison is also printed
+// in brackets, because compilers warn about `!x == y`.
 Spelling c_language_spelling(Op op) {
     switch (op) {
     case Op::Not: return {"!", comparison_level};
@@ -165,7 +165,7 @@ struct Printer {
         out << ')';
     }
 
-    /// Prints an infix operator. Operators with two or more operands are left-associative or not associative.
+    /// Prints an infix operator with its operands. Every infix operator is left-associative or not associative.
     void infix(Id<Expr> id, Spelling spelling) const {
         const Op op = exprs[id].op;
         const std::span<const Id<Expr>> operands = exprs.operands(id);
@@ -208,7 +208,7 @@ struct Printer {
         operand(exprs.operands(id)[0], spelling.precedence + 1);
     }
 
-    /// Prints an edge as a function call, or as a prefix operator if the operand needs no brackets.
+    /// Prints a rising or falling edge as a function call, or as a prefix operator if the operand needs no brackets.
     void edge(Id<Expr> id, Spelling spelling) const {
         const Id<Expr> watched = exprs.operands(id)[0];
         out << spelling.token;

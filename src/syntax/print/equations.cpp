@@ -25,14 +25,15 @@ const std::string& name(const Equations& equations, Id<Equations::Variable> vari
     return equations.variables[variable].name;
 }
 
-/// True if actions assign a value to the stored variable in the first evolution.
+/// True if actions may assign a value to the stored variable in the first evolution.
 bool starts_with_actions(const Equations& equations, const Equations::Stored& stored) {
     const Expr& first = equations.exprs[stored.first];
     return first.op != Op::Variable || first.value != static_cast<std::int64_t>(stored.variable.index);
 }
 
-/// Writes the sections of the equations as plain text or LaTeX. `title(text)` opens a section, and `close()` ends it.
-/// `line(name, term)` writes one equation, and `timer(timer)` writes the equation that starts a timer.
+/// Writes the sections of the equations with `writer`, which produces plain text or LaTeX. `title(text)` of the writer
+/// opens a section, and `close()` ends it. `line(name, term)` writes one equation, and `timer(timer)` writes the
+/// equation that starts a timer.
 template <class Writer>
 void write_sections(const Equations& equations, Writer& writer) {
     if (!equations.firings.empty()) {
@@ -106,10 +107,10 @@ std::string escaped(std::string_view text) {
     return result;
 }
 
-/// Returns the text as a LaTeX term in italics, with the letter spacing of a word.
+/// Returns LaTeX code that prints the text in italics, with the letter spacing of a word.
 std::string italic(std::string_view text) { return "\\mathit{" + escaped(text) + "}"; }
 
-/// Returns the name in LaTeX, such as `X_{10}` or `\mathit{CF}_{\mathit{T0}}` (CEP13 Fig. 19).
+/// Returns the name of a variable in LaTeX, such as `X_{10}` or `\mathit{CF}_{\mathit{T0}}` (paper CEP13, Fig. 19).
 std::string latex_name(const Equations::Variable& variable) {
     using Role = Equations::Role;
     const std::string_view text = variable.name;

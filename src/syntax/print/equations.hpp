@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Prints equations as plain text (with the order and sections of CEP13 Fig. 19), as LaTeX (`align*` of amsmath), and as
-// JSON.
+// Prints equations as plain text (with the order and sections of Fig. 19 in the paper CEP13), as LaTeX (`align*` of
+// amsmath), and as JSON.
 //
 // The sections are: (a) firing conditions; (b) step activities; (s) stored actions, if there are any, with their values
 // after the first evolution and their race conditions; (c) outputs, preceded by timers.
@@ -18,7 +18,7 @@ std::string equation_text(const Equations& equations, Id<Equations::Variable> va
 void print_equations(std::ostream& out, const Equations& equations);
 void print_equations_latex(std::ostream& out, const Equations& equations);
 
-/// Prints `{"name", "firing_conditions": [{"variable", "transition", "equation"}],
+/// Prints an object `{"name", "firing_conditions": [{"variable", "transition", "equation"}],
 ///   "steps": [{"variable", "step", "initial", "equation"}],
 ///   "stored": [{"variable", "equation", "first", "race", "first_race"}],
 ///   "conflicts": [equation], "previous": [{"variable", "equation"}], "watches": [{"variable", "equation"}],

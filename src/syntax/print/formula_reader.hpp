@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Common base of the formula readers: tokens and error handling. The reader stops at the first error.
+// Base class of the readers of formulas: tokens and error handling. A reader stops at the first error.
 #pragma once
 
 #include <initializer_list>
@@ -34,7 +34,7 @@ protected:
     std::string_view accept_one(std::initializer_list<std::string_view> tokens);
     void expect(std::string_view token);
     void expected(std::string_view what);
-    /// Records the first error. The rest of the text is skipped.
+    /// Records an error if it is the first one, and skips the rest of the text.
     void fail(std::size_t begin, std::size_t end, std::string what);
     void fail_here(std::string what) { fail(begin_, end_, std::move(what)); }
     std::string shown() const { return kind_ == Kind::End ? "the end" : '`' + std::string(here()) + '`'; }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// CTL and LTL in the syntax of NuSMV 2.6. The operators, from lowest to highest precedence, are: `->`, `<->`, `? :`, `|
-// xor xnor`, `&`, `U S V T` (LTL), path operators, relations, `in`, sums, products, `!` and `-`. Therefore `AG x -> y`
-// is `(AG x) -> y`, and `!a = b` is `(!a) = b`. Between `A [` and `]` the language is pure CTL, without `? :`.
+// Reads CTL and LTL formulas in the syntax of NuSMV 2.6. The operators, from lowest to highest precedence, are: `->`,
+// `<->`, `? :`, `| xor xnor`, `&`, `U S V T` (LTL), path operators, relations, `in`, sums, products, `!` and `-`.
+// Therefore `AG x -> y` is `(AG x) -> y`, and `!a = b` is `(!a) = b`. Between `A [` and `]` the language is pure CTL,
+// without `? :`.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -140,7 +141,7 @@ private:
         return {begin, operand.end, Type::Boolean, operand.temporal || op != "!"};
     }
 
-    /// True if a path operator follows, possibly after `!` operators.
+    /// True if the next token is a path operator, or if only `!` operators precede a path operator.
     bool path_follows() {
         SmvReader ahead = *this;
         while (ahead.accept("!")) {
@@ -208,7 +209,7 @@ private:
         return {left.begin, set.end, Type::Boolean, false};
     }
 
-    /// Reads a set such as `{a, b}` or `1..3`. Requires that the members have the same type as `one`.
+    /// Reads a set such as `{a, b}` or `1..3`. Reports an error if a member has another type than `one`.
     Subformula members(const Subformula& one) {
         const std::size_t begin = begin_;
         if (!accept("{")) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Reads the symbolic queries of UPPAAL and the expressions in these queries. This reader ignores operator precedence,
-// because UPPAAL itself parses the query: here, an expression is a sequence of operands and operators. An operand may
-// have prefix operators and indices.
+// Reads the symbolic queries of UPPAAL and the expressions in these queries. The reader ignores operator precedence,
+// because UPPAAL parses the query again. For the reader, an expression is a sequence of operands and operators. An
+// operand may have prefix operators and indices.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -123,7 +123,7 @@ private:
             fail(begin, before_, fmt::format("the model does not declare `{}`", path));
     }
 
-    /// Reads `forall (i : int[0, 3]) ...`.
+    /// Reads a quantified expression such as `forall (i : int[0, 3]) ...`.
     void over_range() {
         advance();
         expect("(");

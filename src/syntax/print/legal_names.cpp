@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Contains the reserved words of the target languages, and changes names that are reserved in a target language.
+// Lists the reserved words of the target languages, and changes names that a target language reserves.
 //
 // UPPAAL reserves the keywords of its declarations and queries, its mathematical functions, and its built-in constants
-// and types. A variable with the name of a query keyword can be declared, but cannot be used in queries. NuSMV: the
-// list contains the keywords of NuSMV 2.6 and of nuXmv, which reads the same files. Single capital letters in the list
-// are operators of temporal logic. Structured Text: the list contains the keywords, elementary types, standard
-// functions and function blocks of IEC 61131-3. C: the list contains the keywords of C and C++ up to 2023, names of
-// <stdbool.h> and <stdint.h>, and some macros of other headers and of compilers.
+// and types. UPPAAL permits the declaration of a variable with the name of a query keyword, but not its use in queries.
+// NuSMV: the list contains the keywords of NuSMV 2.6 and of nuXmv, which reads the same files. Single capital letters
+// in the list are operators of temporal logic. Structured Text: the list contains the keywords, elementary types,
+// standard functions and function blocks of IEC 61131-3. C: the list contains the keywords of C and C++ up to 2023,
+// names of <stdbool.h> and <stdint.h>, and some macros of other headers and of compilers.
 #include "syntax/print/legal_names.hpp"
 
 #include <algorithm>
@@ -94,8 +94,7 @@ constexpr auto c_keywords = std::to_array<std::string_view>({
     "using", "virtual", "void", "volatile", "wchar_t", "while", "xor", "xor_eq",
 });
 
-/// A set of words. For most names that are not in the set, the comparison of the first letter and of the length is
-/// sufficient.
+/// A set of words. For most names that are not in the set, the lookup only compares the first letter and the length.
 class Words {
 public:
     explicit Words(std::span<const std::string_view> list) : set_(list.begin(), list.end()) {
@@ -118,7 +117,7 @@ private:
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Returns a key for `name`. Two names have the same key if and only if the target does not distinguish them.
+/// Returns a key for `name`. Two names have the same key if and only if the target language does not distinguish them.
 std::string key_of(Target target, std::string_view name) {
     std::string key(name);
     if (target == Target::StructuredText)
@@ -169,7 +168,7 @@ template <class Free>
 std::string first_free(const std::string& base, std::unordered_map<std::string, std::size_t>& next, const Free& free) {
     for (std::size_t& tried = next[base];; ++tried) {
         std::string name = base;
-        if (tried == 1) name += '_';  // for Structured Text and C, `free` rejects a trailing `_`
+        if (tried == 1) name += '_';  // rejected by `free` for Structured Text and C
         if (tried >= 2) name += '_' + std::to_string(tried);
         if (free(name)) return name;
     }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Maps names to legal identifiers of a target by a table of its reserved words. The chart and the plant define the
-// names. A target may reserve a name (`X` in UPPAAL's queries, `S` in NuSMV) or reject its form (a location named `2`,
-// an expanded property `P.X7`). Emitters print the mapped names unchanged.
+// Maps the names of a chart and its plant to legal identifiers of a target language. A target language may reserve a
+// name (`X` in UPPAAL's queries, `S` in NuSMV) or reject its form (a location named `2`, a property `P.X7`). The
+// emitters print the mapped names unchanged.
 //
-// The map is injective over the names of one scope and deterministic: it depends only on the order of the names. Legal
-// names are unchanged, independently of the other names. If a legal name occurs several times, its first occurrence is
-// unchanged.
+// The map is injective over the names of one scope, and deterministic: it depends only on the names and their order. A
+// legal name is mapped to itself, independently of the other names. If a legal name occurs several times, its first
+// occurrence is unchanged.
 #pragma once
 
 #include <span>
@@ -16,26 +16,28 @@
 
 namespace grafverif {
 
-/// UppaalLocal: names that cannot occur in queries, such as parameters of a template. A UppaalLocal name can be a
-/// keyword of queries. StructuredText: identifiers of IEC 61131-3, which are case-insensitive and have no double or
-/// trailing `_`. C: identifiers without double or trailing `_` that are not keywords of C or C++, for members of
-/// structs.
+/// A target language. UppaalLocal: names of UPPAAL that cannot occur in queries, such as parameters of a template;
+/// these names may be keywords of queries. StructuredText: identifiers of IEC 61131-3, which are case-insensitive and
+/// have no double or trailing `_`. C: identifiers without double or trailing `_` that are not keywords of C or C++, for
+/// members of structs.
 enum class Target { Uppaal, UppaalLocal, Nusmv, StructuredText, C };
 
-/// True if `name` has another meaning in the target: a keyword, a built-in, or an operator of its properties.
+/// True if the target language reserves `name` as a keyword, as a built-in function or constant, or as an operator of
+/// properties.
 bool is_reserved(Target target, std::string_view name);
 
-/// True if `name` is allowed as an identifier in the target.
+/// True if `name` is allowed as an identifier in the target language.
 bool is_legal(Target target, std::string_view name);
 
-/// Returns legal identifiers for `names`, which share one scope. No result is in `taken`. Letters of other scripts are
-/// transliterated to ASCII (`Förderer`: `Foerderer`), `FULL[1]` becomes `FULL_1`, other characters that are not allowed
-/// in identifiers become `_`, and a number gets a leading `_`. A reserved or used name gets a trailing `_`, then `_2`,
-/// `_3`, ... until it is unused (in Structured Text and C immediately `_2`).
+/// Returns legal identifiers for `names`, which belong to one scope. No identifier in the result is in `taken`. Letters
+/// of other scripts are transliterated to ASCII (`Förderer`: `Foerderer`), `FULL[1]` becomes `FULL_1`, other characters
+/// that are not allowed in identifiers become `_`, and a number gets a leading `_`. A name that is reserved or already
+/// used gets the suffix `_`, or the first of the suffixes `_2`, `_3`, ... that makes it unused. In Structured Text and
+/// C, the first suffix is `_2`.
 std::vector<std::string> legal_names(Target target, std::span<const std::string> names,
                                      const std::unordered_set<std::string>& taken = {});
 
-/// A changed name. The header of a model lists these names.
+/// A name that was changed. The header of a generated model lists the changed names.
 struct Renaming {
     std::string name = {};
     std::string legal = {};

@@ -162,7 +162,7 @@ void print_test_json(std::ostream& out, const TestSequence& test) {
 
 namespace {
 
-/// For each situation: the situations that directly precede the situation in a test, or that directly follow it.
+/// For each situation of a test: the situations that directly precede it, or that directly follow it.
 using Adjacency = std::vector<std::set<std::uint32_t>>;
 
 Adjacency adjacency(const TestSequence& test, bool back) {
@@ -186,10 +186,10 @@ std::set<std::uint32_t> led_to(const Adjacency& next, std::uint32_t from) {
     return found;
 }
 
-/// Returns, for each terminal strongly connected component that the test reaches, the first situation of the component
-/// in a sequence. The test takes all reachable transitions. Therefore, if no step of the test leaves a component, no
-/// transition of the machine leaves this component. Several sequences are necessary only because a sequence cannot
-/// leave a terminal component.
+/// Returns, for each terminal strongly connected component of situations that the test reaches, the first situation of
+/// the component in a sequence. The test covers all reachable transitions. Therefore, if no step of the test leaves a
+/// component, no transition of the machine leaves this component. A test needs several sequences only because a
+/// sequence cannot leave a terminal component.
 std::vector<std::string> traps(const TestSequence& test) {
     if (test.sequences.size() < 2 || test.cover == TestCover::Locations) return {};
     const Adjacency next = adjacency(test, false), before = adjacency(test, true);
@@ -199,7 +199,7 @@ std::vector<std::string> traps(const TestSequence& test) {
         const std::uint32_t end = sequence.steps.back().situation.index;
         if (known.contains(end)) continue;
         const std::set<std::uint32_t> stays = led_to(next, end);
-        // A situation after `end` that does not lead back to `end` shows that the component of `end` is not terminal.
+        // If a situation after `end` does not lead back to `end`, the component of `end` is not terminal.
         if (!std::ranges::includes(led_to(before, end), stays)) continue;
         known.insert(stays.begin(), stays.end());
         const auto entered = std::ranges::find_if(
@@ -209,7 +209,7 @@ std::vector<std::string> traps(const TestSequence& test) {
     return found;
 }
 
-/// Returns text such as `; no transition leads back from {2} and {4,5}`.
+/// Returns a text about terminal components, such as `; no transition leads back from {2} and {4,5}`.
 std::string traps_text(const TestSequence& test) {
     constexpr std::size_t most = 5;
     const std::vector<std::string> found = traps(test);

@@ -14,7 +14,7 @@ using ProgramOp = Program::Op;
 
 class ProgramPrinter {
 public:
-    /// If `block` is valid, the name of a place in an instance of this block ends with the name of the instance.
+    /// If `block` is valid, a place in an instance of this function block is printed as the name of the instance.
     ProgramPrinter(const Program& program, Id<Program::Unit> unit, Id<Program::Unit> block = {})
         : program_(program), unit_(unit), block_(block) {}
 
@@ -38,8 +38,8 @@ public:
     }
 
 private:
-    /// Returns the name of the cell at `offset` in a frame of `unit`. `indices` contains the array indices that are not
-    /// constant.
+    /// Returns the name of the memory cell at `offset` in a frame (memory of an instance) of `unit`. `indices` contains
+    /// the array indices that are not constant.
     std::string member(Id<Program::Unit> unit, std::uint32_t offset, std::vector<Program::Index> indices) const {
         for (const Program::Variable& variable : program_.units[unit].variables) {
             const std::uint32_t size = size_of(program_, variable.type);

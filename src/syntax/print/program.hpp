@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texts of the expressions and variables of a Program in the notation of Structured Text.
+// Prints the expressions and variables of a Program in the notation of Structured Text.
 #pragma once
 
 #include <string>
@@ -8,18 +8,19 @@
 
 namespace grafverif {
 
-/// Returns the name of a variable of `unit`, such as `Level`, `Delay.Q` or `A[I + 1]`, or a global name. The name of a
-/// variable of a Sequential Function Chart that statements cannot name contains a space.
+/// Returns the name of a variable of `unit`, such as `Level`, `Delay.Q` or `A[I + 1]`, or a global name. A variable of
+/// a Sequential Function Chart that statements cannot access has a name with a space.
 std::string place_text(const Program& program, Id<Program::Unit> unit, const Program::Place& place);
 
 /// Returns the name of the instance of `block` at `place`, relative to `unit`.
 std::string instance_text(const Program& program, Id<Program::Unit> unit, const Program::Place& place,
                           Id<Program::Unit> block);
 
-/// Returns an expression in `unit`.
+/// Returns the text of an expression in `unit`.
 std::string term_text(const Program& program, Id<Program::Unit> unit, Id<Program::Node> term);
 
-/// Returns an assignment, a call without its arguments, EXIT or RETURN in `unit`, without a semicolon.
+/// Returns the text of a statement in `unit`, without a semicolon: an assignment, a call without its arguments, EXIT or
+/// RETURN.
 std::string statement_text(const Program& program, Id<Program::Unit> unit, const Program::Statement& statement);
 
 }  // namespace grafverif

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view separators = ", \t;\r";
 
-/// Returns the first `most` + 1 words of `line`, so that an extremely long line is not split completely.
+/// Returns the first `most` + 1 words of `line`. The limit avoids splitting an extremely long line completely.
 std::vector<std::string_view> words_of(std::string_view line, std::size_t most) {
     std::vector<std::string_view> words;
     while (words.size() <= most) {

@@ -5,7 +5,7 @@
 //
 //   1,0,0,1,1       printed format: 0 and 1 for Booleans, decimal numbers for integers, separated by commas
 //   TRUE 0 12       also accepted: true and false in upper or lower case, spaces
-//   wait 5s         time passes before the next scan (ms, s, min); this line does not cause a scan and has no response
+//   wait 5s         time passes before the next scan (ms, s, min); this line causes no scan and has no response
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@
 
 namespace grafverif {
 
-/// A column: name and type of the value at one position of a line.
+/// A column of scan lines: name and type of the value at one position of a line.
 struct ScanColumn {
     std::string name = {};
     Type type = {};
@@ -33,13 +33,14 @@ struct ScanValues {
     std::string problem = {};
 };
 
-/// Returns `values` as a line without line end.
+/// Returns `values` as a scan line, without a line end.
 std::string scan_line(std::span<const std::int64_t> values);
 
-/// Parses `line`. Each value must have the type of its column and be within its range.
+/// Parses a scan line. Each value must have the type of its column and be within the range of the column.
 ScanValues read_scan_line(std::string_view line, std::span<const ScanColumn> columns);
 
-/// Returns the maximum length of a valid line with this number of columns. Readers may truncate longer lines.
+/// Returns the maximum length in characters of a valid scan line with this number of columns. A reader may truncate
+/// longer lines.
 std::size_t longest_scan_line(std::size_t columns);
 
 /// Returns `line` for display in a message: unprintable characters are replaced, and long lines are truncated.

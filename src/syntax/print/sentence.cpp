@@ -36,10 +36,10 @@ std::string claim(Pattern pattern, const std::vector<std::string>& operands, con
 
 namespace {
 
-/// Returns `text` as an operand before `and`: a text of several words is put in brackets.
+/// Returns `text` as the left operand of `and`: brackets are added if the text contains a space.
 std::string bracketed(const std::string& text) { return text.find(' ') == std::string::npos ? text : '(' + text + ')'; }
 
-/// Returns the text of a scope, whose operands are `of`.
+/// Returns the text of the scope of a property (such as `after p`). `of` contains the operands of the scope.
 std::string scope_text(Sentence::Scope scope, std::span<const std::string> of) {
     switch (scope) {
     case Sentence::Scope::Globally: return "";

@@ -7,8 +7,9 @@
 // `sequence` and `step` count from 1; each sequence starts at power-on. Step 0 is the scan that activates the initial
 // steps (TestSequence::Sequence::activation); its outputs are compared, but it does not count as a test step. `wait` is
 // the time that passes before the step, such as `5s` or `250ms`; it may be empty. During this time, the inputs have the
-// values of the previous step. `cycles` is the number of scans with these inputs. The next columns contain the values
-// of the inputs and outputs, one column each; Booleans are 0 and 1. The last column is the expected situation.
+// values of the previous step. `cycles` is the number of scans with the inputs of this step. The next columns contain
+// the values of the inputs and outputs, one column each; Booleans are 0 and 1. The last column is the expected
+// situation.
 #pragma once
 
 #include <iosfwd>

@@ -10,7 +10,7 @@ namespace grafverif {
 
 namespace {
 
-/// Returns the variable of an action; reports an unknown name.
+/// Returns the variable that an action assigns. Reports an unknown name.
 Id<Chart::Variable> target_of(ChartScope& scope, tree::Name name) {
     const auto found = scope.variables.find(name.word);
     if (found != scope.variables.end())
@@ -26,7 +26,8 @@ Id<Chart::Variable> target_of(ChartScope& scope, tree::Name name) {
     return {};
 }
 
-/// Reports the first conflict between a continuous action and a stored action on the same output.
+/// Records the position of an action on `variable` in `mine`. Reports the first conflict between a continuous action
+/// and a stored action on the same variable.
 void note_kind(ChartScope& scope, Id<Chart::Variable> variable, std::vector<Span>& mine, const std::vector<Span>& other,
                Span where) {
     if (mine[variable.index].source.valid()) return;
@@ -36,7 +37,7 @@ void note_kind(ChartScope& scope, Id<Chart::Variable> variable, std::vector<Span
             messages::continuous_and_stored(where, scope.chart.variables[variable].name, other[variable.index]));
 }
 
-/// Returns the duration in milliseconds; 0 if it is omitted or after an error.
+/// Returns the value of a duration in milliseconds; 0 if the duration is omitted, or after an error.
 std::int64_t duration_of(ChartScope& scope, Id<tree::Expr> node) {
     if (!node.valid()) return 0;
     Terms terms = terms_of(scope);

@@ -14,7 +14,8 @@ namespace grafverif {
 
 namespace {
 
-/// True if `condition` reads only inputs and current values. Reports the first violation otherwise.
+/// True if `condition` reads only current values of inputs. Otherwise, reports the first leaf or edge that is not
+/// allowed.
 bool reads_inputs_only(ChartScope& scope, Id<Expr> condition, Span where) {
     const Chart& chart = scope.chart;
     std::vector<Id<Expr>> open{condition};
@@ -38,11 +39,12 @@ bool reads_inputs_only(ChartScope& scope, Id<Expr> condition, Span where) {
     return true;
 }
 
-/// The positions of the elements that an acceptance can name: `t1`, `OPEN`, `X2`, `G2.X2`. The key of the partial chart
-/// `G2` is `G2.`.
+/// The positions of the elements that a declaration `accept` can name, such as `t1`, `OPEN`, `X2` or `G2.X2`. The key
+/// of the partial chart `G2` is `G2.`.
 using Subjects = std::unordered_map<std::string, Span>;
 
-/// Returns the subjects of a chart. If a transition and a variable have the same name, the transition is the subject.
+/// Returns the elements of a chart that `accept` can name. If a transition and a variable have the same name, the name
+/// denotes the transition.
 Subjects subjects_of(const ChartScope& scope, const WrittenChart& all) {
     const Chart& chart = scope.chart;
     Subjects subjects;
@@ -56,12 +58,12 @@ Subjects subjects_of(const ChartScope& scope, const WrittenChart& all) {
     return subjects;
 }
 
-/// Records the names in the subject of an acceptance. An unknown subject is not an error here, because the analysis
-/// reports each acceptance without a finding.
+/// Records the names in the subject of a declaration `accept`. An unknown subject is not an error here, because the
+/// analysis reports each `accept` that matches no finding.
 void record_subject(const ChartScope& scope, const tree::Accept& written, const Subjects& subjects) {
     const Span where = written.subject_where;
     const std::string& subject = written.subject;
-    const std::size_t name = subject.find('.') + 1;  // 0 if there is no dot, because npos + 1 is 0
+    const std::size_t name = subject.find('.') + 1;  // 0 without a dot, because npos + 1 is 0
     const auto refer = [&](const std::string& key, Span occurrence) {
         if (const auto found = subjects.find(key); found != subjects.end())
             scope.record.refer(occurrence, found->second);
@@ -110,8 +112,8 @@ void resolve_items(ChartScope& scope, const tree::Chart& written) {
     resolve_acceptances(scope, written, all);
 }
 
-/// Returns the position of the declaration of a variable, a step variable, a partial chart or the chart; empty if there
-/// is none.
+/// Returns the position of the declaration of `name`, if `name` is a variable, a step variable, a partial chart or the
+/// chart; otherwise empty.
 std::optional<Span> declared_name(const ChartScope& scope, std::string_view name) {
     const auto origin_in = [&](const auto& table) {
         const auto found = std::ranges::find(table, name, [](const auto& each) { return std::string_view(each.name); });
@@ -125,7 +127,7 @@ std::optional<Span> declared_name(const ChartScope& scope, std::string_view name
     return scope.chart.steps[steps->second.front()].origin;
 }
 
-/// Returns the position of the constant `name` of a chart; empty if there is none.
+/// Returns the position of the constant `name` of a chart; empty if the chart has no such constant.
 std::optional<Span> constant_named(const tree::File& file, const tree::Chart& written, std::string_view name) {
     for (const tree::Variables& group : written.parameters)
         for (const tree::Variable& each : group.variables)
@@ -133,7 +135,7 @@ std::optional<Span> constant_named(const tree::File& file, const tree::Chart& wr
     return {};
 }
 
-/// Reports constants with the name of another declaration.
+/// Reports each constant that has the name of another declaration.
 void check_constants(ChartScope& scope, const tree::File& file, const tree::Chart& written) {
     for (const tree::Variables& group : written.parameters)
         for (const tree::Variable& each : group.variables)

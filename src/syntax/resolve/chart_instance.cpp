@@ -32,7 +32,7 @@ const WrittenCharts::Entry* WrittenCharts::find(const tree::File& file, tree::Na
 
 namespace {
 
-/// Returns the names of the constants, without indices.
+/// Returns the names of the constants of a chart, without indices.
 std::unordered_set<std::string_view> constants_of(const WrittenCharts::Entry& chart) {
     std::unordered_set<std::string_view> constants;
     for (const tree::Variables& group : chart.chart->parameters)
@@ -55,7 +55,7 @@ bool read_value(const ArgumentReader& reader, Id<tree::Expr> written, std::strin
     return true;
 }
 
-/// Resolves the variable that is bound to a port. Returns false after an error.
+/// Resolves the variable that is bound to a port (input or output of the chart). Returns false after an error.
 bool read_variable(const ArgumentReader& reader, Id<tree::Expr> written, ChartInstance::Argument& argument) {
     const tree::Expr& value = reader.file.exprs[written];
     if (value.op == tree::Op::Name) return argument.variable = reader.file.text(value.word), true;
@@ -79,7 +79,7 @@ ChartInstance read_arguments(const ArgumentReader& reader, const std::vector<tre
                              const WrittenCharts::Entry& chart) {
     ChartInstance instance;
     const std::unordered_set<std::string_view> constants = constants_of(chart);
-    std::unordered_map<std::string, std::string> ports;  // port by variable
+    std::unordered_map<std::string, std::string> ports;  // for each variable: the port
     for (const tree::Argument& written : arguments) {
         const std::string name(reader.file.text(written.parameter));
         const auto [known, fresh] = instance.arguments.try_emplace(name);
@@ -110,7 +110,7 @@ ChartInstance read_arguments(const ArgumentReader& reader, const std::vector<tre
 
 namespace {
 
-/// Returns the declared type, or the type of the value if none is declared.
+/// Returns the declared type of a constant, or the type of its value if no type is declared.
 TermKind written_kind(const tree::Variable& written, TermKind value) {
     switch (written.type) {
     case tree::TypeWord::Bool: return TermKind::Boolean;
@@ -131,7 +131,7 @@ std::optional<DeclaredConstant> declared_constant(const tree::File& file, const 
         return diagnostics.add(messages::constant_without_value(written.where, name)), std::nullopt;
     const std::size_t errors = diagnostics.errors();
     const std::string user = '`' + name + '`';
-    DeclaredConstant constant{.low = least_integer, .high = greatest_integer};  // the limits of variables
+    DeclaredConstant constant{.low = least_integer, .high = greatest_integer};  // the limits of integer variables
     constant.kind = written_kind(written, constant_terms(user).resolve(written.value).kind);
     if (written.range) {
         Terms terms = constant_terms("a range");
@@ -155,7 +155,8 @@ std::optional<DeclaredConstant> declared_constant(const tree::File& file, const 
 
 namespace {
 
-/// Returns the variable that is bound to a parameter of an instance of a component: `FULL[1]` for `B[1].HERE`.
+/// Returns the variable that is bound to a parameter of a component instance. For example, if `FULL[1]` is bound to the
+/// parameter HERE of `B[1]`, `node` is `B[1].HERE` and the result is `FULL[1]`.
 std::optional<std::string> variable_of_port(LoopScope& scope, const tree::Expr& node) {
     const tree::Expr& owner = scope.file.exprs[node.first];
     const std::string_view port = scope.file.text(node.word);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// ChartInstance: the arguments of an instance of a chart. An instance is a copy of the chart as written. In the copy,
-// variables replace the ports (the inputs and outputs of the chart), and values replace the constants; see expand. The
-// copy is resolved as any other chart.
+// ChartInstance: the arguments of an instance of a chart. An instance is a copy of the chart's syntax tree. In the
+// copy, variables replace the ports (the inputs and outputs of the chart), and values replace the constants (see
+// expand.hpp). Name resolution treats the copy in the same way as any other chart.
 #pragma once
 
 #include <cstdint>
@@ -21,51 +21,51 @@
 
 namespace grafverif {
 
-/// The charts of a model as written, by name.
+/// The syntax trees of the charts of a model, by name.
 struct WrittenCharts {
     struct Entry {
         const tree::File* file = nullptr;
         const tree::Chart* chart = nullptr;
     };
     std::unordered_map<std::string, Entry> charts = {};
-    std::unordered_set<std::string> in_error = {};  ///< names of charts with errors, which have no instances
+    std::unordered_set<std::string> in_error = {};  ///< names of charts with errors; they cannot be instantiated
 
-    /// Returns the chart to instantiate; null after an error, which is reported unless the chart has errors.
+    /// Returns the chart to instantiate, or null after an error. Reports the error, unless the chart itself has errors.
     const Entry* find(const tree::File& file, tree::Name name, Diagnostics& diagnostics) const;
 };
 
 struct ChartInstance {
     struct Argument {
-        Span parameter = {}, where = {};  ///< positions of the name and of the value
+        Span parameter = {}, where = {};  ///< positions of the argument's name and value
         std::string variable = {};        ///< bound to a port
         Id<tree::Expr> term = {};         ///< for a step variable that is bound to a port, such as `line.X1`
-        TermKind kind = TermKind::Wrong;  ///< type of a value; Wrong for a variable
+        TermKind kind = TermKind::Wrong;  ///< type of the value; Wrong for a variable
         std::int64_t value = 0;
-        bool is_term = false;  ///< true if the value is neither a constant nor a variable, which is an error for ports
+        bool is_term = false;  ///< true if the value is neither a constant nor a variable, which is an error for a port
         bool used = false;
     };
     std::string name = {};
     Span where = {};        ///< position of the name of the instance
-    Span chart_where = {};  ///< position of the name of the chart in the instance
+    Span chart_where = {};  ///< position of the chart's name in the declaration of the instance
     std::map<std::string, Argument, std::less<>> arguments = {};
-    Recorder record = {};      ///< for the names in the arguments
+    Recorder record = {};      ///< records the names in the arguments
     bool wrong = false;        ///< true if an error in an argument has been reported
-    bool has_defaults = true;  ///< result of the expansion: true if all constants have their declared values
-    bool too_large = false;    ///< result of the expansion: true if the copies are too large
+    bool has_defaults = true;  ///< set by the expansion: true if all constants have their declared values
+    bool too_large = false;    ///< set by the expansion: true if the copies are too large
 };
 
-/// Resolves the values of arguments.
+/// Resolves the values of arguments in the declaration of an instance.
 struct ArgumentReader {
     const tree::File& file;
     Diagnostics& diagnostics;
     std::function<Terms(std::string_view)> constant_terms = {};
-    /// Returns the variable that `OWNER.NAME` denotes, such as `B[1].HERE`; empty after an error. Without this function,
-    /// such a term is a step variable.
+    /// Returns the variable that a term `OWNER.NAME` denotes, such as `B[1].HERE`; empty after an error. If this
+    /// function is not set, the term denotes a step variable.
     std::function<std::optional<std::string>(const tree::Expr&)> variable = {};
 };
 
-/// Resolves the arguments of an instance of `chart`, without indices. The expansion reports unknown and missing
-/// arguments, and terms that are bound to ports.
+/// Resolves the arguments of an instance of `chart`. Requires arguments without index variables. The expansion later
+/// reports unknown and missing arguments, and terms that are bound to ports.
 ChartInstance read_arguments(const ArgumentReader& reader, const std::vector<tree::Argument>& arguments,
                              const WrittenCharts::Entry& chart);
 
@@ -76,7 +76,8 @@ struct DeclaredConstant {
     std::int64_t low = 0, high = 0;  ///< limits of an integer
     bool contains(std::int64_t other) const { return kind != TermKind::Integer || (low <= other && other <= high); }
 };
-/// Resolves the declaration of a constant with a value. Empty after an error, unless the value is out of range.
+/// Resolves the declaration of a constant with a value. The result is empty after an error; after the error that the
+/// value is out of range, it is not empty.
 std::optional<DeclaredConstant> declared_constant(const tree::File& file, const tree::Variable& written,
                                                   Diagnostics& diagnostics,
                                                   const std::function<Terms(std::string_view)>& constant_terms);

@@ -26,20 +26,21 @@ struct ChartScope {
 
     std::unordered_map<Id<tree::Word>, Id<Chart::Variable>> variables = {};
     std::unordered_map<Id<tree::Word>, Id<Chart::PartialChart>> partials = {};
-    /// Steps by name, per partial chart.
+    /// For each partial chart: its steps by name.
     std::vector<std::unordered_map<Id<tree::Word>, Id<Chart::Step>>> steps = {};
-    /// All steps with a name, in order of declaration.
+    /// For each name: all steps with this name, in order of declaration.
     std::unordered_map<std::string_view, std::vector<Id<Chart::Step>>> steps_by_name = {};
     std::unordered_map<std::string, Id<Chart::TimeCondition>> times = {};
     std::unordered_map<std::uint64_t, Term> known_names = {};  ///< resolved terms of names, by partial chart and word
-    /// For each variable: the position of its first action of the respective type.
+    /// For each variable: the position of its first continuous action and of its first stored action.
     std::vector<Span> continuous = {}, stored = {};
     Id<Chart::PartialChart> here = {};  ///< partial chart of the current term
 
     std::string_view text(tree::Name name) const { return file.text(name); }
 };
 
-/// As InCopy. In an instance of a chart, nothing is recorded, because the chart itself records its names.
+/// Context for diagnostics in a copy (see InCopy). In an instance of a chart, the object also disables the recording of
+/// names, because the resolution of the chart itself records them.
 class InChartCopy {
 public:
     InChartCopy(ChartScope& scope, std::uint32_t copy)
@@ -73,12 +74,12 @@ struct WrittenChart {
 };
 
 // -- variables.cpp
-/// Returns a resolver of terms that may contain only constants: each name is an error, which names `user`.
+/// Returns a resolver of terms without names: each name is an error. `user` describes the term in messages.
 Terms constant_terms(ChartScope& scope, std::string_view user);
 void resolve_variables(ChartScope& scope, const tree::Variables& written);
 /// Checks the variables that are bound to the ports of partial charts.
 void check_ports(ChartScope& scope, const std::vector<tree::ChartItem>& items);
-/// Reports variables whose name is that of a step variable, or begins with `X` and a digit.
+/// Reports variables that have the name of a step variable, or a name that begins with `X` and a digit.
 void check_step_like(ChartScope& scope);
 
 // -- steps.cpp: steps, partial charts and their owners
@@ -92,11 +93,11 @@ void resolve_actions(ChartScope& scope, const WrittenChart& written);
 void resolve_stored(ChartScope& scope, const tree::Assignment& written, Chart::StoredAction action);
 
 // -- condition.cpp
-/// Resolves terms with the names of `scope`, which must outlive the result.
+/// Returns a resolver of terms with the names of `scope`. `scope` must outlive the result.
 Terms terms_of(ChartScope& scope);
-/// Returns the term of a condition, or an invalid id after an error.
+/// Resolves a condition to a term; invalid after an error.
 Id<Expr> resolve_condition(ChartScope& scope, Id<tree::Expr> node, Id<Chart::PartialChart> here, std::string_view user);
-/// Returns the step named `label` in `here`; reports an unknown name.
+/// Returns the step `label` of the partial chart `here`. Reports an unknown name.
 Id<Chart::Step> step_in(ChartScope& scope, Id<Chart::PartialChart> here, tree::Name label);
 Id<Chart::PartialChart> partial_named(ChartScope& scope, tree::Name name);
 

@@ -24,8 +24,8 @@ std::string first_line(std::string_view comment) {
     return std::string(comment);
 }
 
-/// Resolves a constraint, which states a guarantee about the outputs of the component. A constraint reads only outputs,
-/// so that it can be assumed in a model in which the outputs are free.
+/// Resolves a constraint of a component, which guarantees a condition on its outputs. A constraint reads only outputs,
+/// so that a model with free outputs can assume the constraint.
 void resolve_constraint(ComponentScope& scope, const tree::Constraint& written) {
     const InCopy copy(scope.diagnostics, scope.file, written.copy);
     const Id<Expr> condition = all_terms(scope).resolve(written.condition, TermKind::Boolean, "a constraint");
@@ -61,7 +61,8 @@ void resolve_items(ComponentScope& scope, const tree::Component& written) {
     }
 }
 
-/// Returns the resolver of the terms in ranges and indices. Copies are made before instances bind the parameters.
+/// Returns the resolver of terms in ranges of index variables and in indices. These terms cannot read parameters,
+/// because the declarations are copied before instances bind the parameters.
 Terms terms_before_parameters(ComponentScope& scope, const tree::File& file, const tree::Component& written,
                               std::string_view user) {
     Terms terms(scope.file, scope.component.exprs, scope.diagnostics);
@@ -79,7 +80,7 @@ Terms terms_before_parameters(ComponentScope& scope, const tree::File& file, con
     return terms;
 }
 
-/// Returns the position of the declaration of a parameter, a variable or a clock; empty if there is none.
+/// Returns the position of the declaration of `name`, if `name` is a parameter, a variable or a clock; otherwise empty.
 std::optional<Span> declared_name(const ComponentScope& scope, std::string_view name) {
     const auto found =
         std::ranges::find(scope.symbols, name, [&](const auto& symbol) { return scope.file.text(symbol.first); });

@@ -35,10 +35,10 @@ TermKind kind_of(Component::ValueKind kind);
 void resolve_parameters(ComponentScope& scope, const tree::Component& written);
 void resolve_own_variables(ComponentScope& scope, const tree::Variables& written);
 void declare(ComponentScope& scope, tree::Name name, ComponentScope::Symbol symbol, Span whole);
-/// Returns the resolver of terms with all names: guards and assignments.
+/// Returns the resolver of guards and assignments, which may contain all names of the component.
 Terms all_terms(ComponentScope& scope);
-/// Returns the resolver of terms with constants only: ranges, defaults, bounds and values at power-on. `user` is named
-/// in errors.
+/// Returns the resolver of ranges, defaults, bounds and values at power-on, which may contain only constants. `user`
+/// describes the term in messages.
 Terms constant_terms(ComponentScope& scope, std::string_view user);
 
 // -- edges.cpp

@@ -23,7 +23,7 @@ Term unknown_name(ChartScope& scope, Span where, std::string_view name) {
     if (scope.diagnostics.full())
         return scope.diagnostics.add(messages::unknown(where, step_like ? "step" : "variable", name, "")), Term{};
     Nearest nearest(name);
-    const bool in_instance = name.find('.') != std::string_view::npos;  // the variables around it are not meant
+    const bool in_instance = name.find('.') != std::string_view::npos;  // no name of another chart is similar
     if (!step_like && !in_instance)
         for (const Chart::Variable& variable : scope.chart.variables) nearest.offer(variable.name);
     if (name[0] == 'X' || name[0] == 'x')
@@ -32,7 +32,7 @@ Term unknown_name(ChartScope& scope, Span where, std::string_view name) {
     return {};
 }
 
-/// Resolves `X2` in the current partial chart, or in the complete chart if it is unique.
+/// Resolves a step variable such as `X2` in the current partial chart or, if the name is unique, in the complete chart.
 Term step_variable_term(ChartScope& scope, Span where, std::string_view name) {
     if (name.size() < 2 || name[0] != 'X') return unknown_name(scope, where, name);
     const auto found = scope.steps_by_name.find(name.substr(1));
@@ -64,7 +64,7 @@ Term name_term(ChartScope& scope, const tree::Expr& node) {
     return term;
 }
 
-/// Reports `Fill.T`, `X2.T` and `Fill.X` of IEC 61131-3 if `Fill` and `2` are steps.
+/// Reports terms of IEC 61131-3 such as `Fill.T`, `X2.T` and `Fill.X` if `Fill` and `2` are steps.
 bool report_step_member(ChartScope& scope, const tree::Expr& node) {
     const std::string_view owner = scope.text({scope.file.exprs[node.first].word, {}}),
                            member = scope.file.text(node.word);
@@ -75,7 +75,8 @@ bool report_step_member(ChartScope& scope, const tree::Expr& node) {
     return true;
 }
 
-/// Resolves `G2.X2`. The name of the chart qualifies the steps that are declared directly in the chart.
+/// Resolves a qualified name such as `G2.X2`. The name of the chart qualifies the steps that are declared directly in
+/// the chart.
 Term member_term(ChartScope& scope, const tree::Expr& node) {
     const tree::Expr& owner = scope.file.exprs[node.first];
     const std::string_view name = scope.file.text(node.word);
@@ -129,7 +130,8 @@ Term time_term(ChartScope& scope, const tree::Expr& node, const WrittenTime& wri
     return {scope.chart.exprs.leaf(Op::Timed, known->second.index), TermKind::Boolean};
 }
 
-/// Returns the type of the divisor in `3/X2`, a time condition without unit; Integer for any other division.
+/// Detects a time condition without unit, such as `3/X2`: if a number is divided by a name, returns the type of the
+/// name; otherwise returns Integer.
 TermKind timed_without_unit(ChartScope& scope, const tree::Expr& node) {
     const tree::Expr& left = scope.file.exprs[node.first];
     const tree::Expr& right = scope.file.exprs[node.last];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Resolves the named constants of a closed loop. The value of a constant may depend on earlier constants, and the user
-// can override it. Terms contain the value instead of the name, so that constants do not exist in later stages.
+// can override the value. Terms contain the value instead of the name, so that constants do not exist in later stages.
 #include "syntax/print/constants.hpp"
 
 #include <string>
@@ -32,7 +32,7 @@ TermKind kind_of(Named::Kind kind) {
     unreachable();
 }
 
-/// Replaces the declared value by the value that the user has set.
+/// If the user has set a value for the constant (`--set`), replaces the declared value by this value.
 void set_from_outside(LoopScope& scope, const DeclaredConstant& declared, Named& constant) {
     const auto given = scope.context.constants.find(constant.name);
     if (given == scope.context.constants.end()) return;

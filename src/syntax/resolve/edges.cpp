@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Resolves the locations and edges of a component. Comparisons of clocks become clock constraints (CEP13 equation (4));
-// the remaining conjuncts become the guard; `clock := 0` becomes a reset.
+// Resolves the locations and edges of a component. Comparisons of clocks become clock constraints (paper CEP13,
+// equation (4)); the remaining conjuncts become the guard; an assignment `clock := 0` becomes a reset.
 #include <optional>
 #include <unordered_set>
 #include <vector>
@@ -24,7 +24,8 @@ std::optional<Id<Component::Clock>> clock_at(const ComponentScope& scope, Id<tre
     return std::get<Id<Component::Clock>>(found->second);
 }
 
-/// Returns the relation with exchanged operands: `3s <= t` is `t >= 3s`.
+/// Returns the relation with exchanged operands, for example `>=` for `<=`, because `3s <= t` is equivalent to `t >=
+/// 3s`.
 Op mirrored(Op relation) {
     switch (relation) {
     case Op::Less: return Op::Greater;
@@ -38,7 +39,7 @@ Op mirrored(Op relation) {
 struct Conjuncts {
     std::vector<Id<Expr>> data = {};
     std::vector<Component::ClockConstraint> clocks = {};
-    std::vector<Id<tree::Expr>> data_nodes = {};  ///< the tree node of each element of `data`
+    std::vector<Id<tree::Expr>> data_nodes = {};  ///< for each element of `data`: its node in the syntax tree
 };
 
 void take_clock_constraint(ComponentScope& scope, const tree::Expr& node, Conjuncts& taken) {
@@ -60,7 +61,8 @@ void take_clock_constraint(ComponentScope& scope, const tree::Expr& node, Conjun
     else if (constraint.bound.valid()) taken.clocks.push_back(constraint);
 }
 
-/// Splits a conjunction, including nested conjunctions in brackets. The depth of conjunctions is limited.
+/// Splits a conjunction into conjuncts, including nested conjunctions in brackets. The recursion is safe because the
+/// parser limits the depth of terms.
 void take(ComponentScope& scope, Id<tree::Expr> id, Conjuncts& taken) {
     const tree::Expr& node = scope.file.exprs[id];
     if (node.op == tree::Op::And) {
@@ -93,7 +95,7 @@ const ComponentScope::Symbol* target_of(ComponentScope& scope, tree::Name name) 
     return nullptr;
 }
 
-/// Resolves `target := value` with the resolver `values`; empty after an error.
+/// Resolves the assignment `target := value`; `values` resolves the value. The result is empty after an error.
 std::optional<Component::Assignment> assignment(ComponentScope& scope, const tree::Assignment& written,
                                                 const ComponentScope::Symbol& target, Terms values) {
     Component::Assignment resolved;
@@ -165,7 +167,7 @@ void resolve_location(ComponentScope& scope, const tree::Location& written) {
     const InCopy copy(scope.diagnostics, scope.file, written.name);
     const auto known = scope.locations.find(written.name.word);
     if (scope.component.locations[known->second].origin.begin != written.name.where.begin)
-        return;  // the location is declared twice
+        return;  // a second declaration, already reported
     Conjuncts invariant;
     if (written.invariant.valid()) take(scope, written.invariant, invariant);
     for (const Id<tree::Expr> node : invariant.data_nodes)

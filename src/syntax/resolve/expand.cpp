@@ -67,8 +67,9 @@ private:
             std::visit([&](const auto& declaration) { add_one(declaration, result); }, item);
     }
 
-    /// In an instance, ports are bound instead of declared, except that the inputs and outputs of a controller are
-    /// declared with the names of their variables.
+    /// Adds a copy of a declaration of variables. In an instance, the ports (inputs and outputs) of the chart are bound
+    /// to variables. If the instance is a partial chart, the ports are not declared; if it is a controller, they are
+    /// declared with the names of the bound variables.
     void add_one(const tree::Variables& written, std::vector<tree::ChartItem>& result) {
         terms_.count_in_copy();
         tree::Variables declaration = written;
@@ -82,7 +83,8 @@ private:
         else result.emplace_back(std::move(declaration));
     }
 
-    /// Replaces the name of a port by its variable. A step variable becomes the value of the port.
+    /// Replaces the name of a port by the name of the bound variable. A bound step variable becomes the value of the
+    /// port.
     void bind(tree::Variable& declaration) {
         tree::Name& port = declaration.name;
         ChartInstance& instance = *terms_.frame.instance;
@@ -102,7 +104,7 @@ private:
         if (given->second.term.valid()) declaration.value = given->second.term;
     }
 
-    /// Resolves the constants of a chart, which replace their names in the following declarations.
+    /// Resolves the constants of a chart. In the following declarations, their values replace their names.
     void constants(const std::vector<tree::Variables>& parameters) {
         for (const tree::Variables& group : parameters) {
             if (group.kind != tree::VariableKind::Constant) continue;
@@ -130,7 +132,7 @@ private:
         terms_.frame.values.insert_or_assign(name, NameCopier::Value{op, value, {}, written.name.where});
     }
 
-    /// Returns the value that an instance gives to a constant, or the declared value.
+    /// Returns the value of a constant in an instance: the argument or, without an argument, the declared value.
     std::int64_t value_given(const std::string& name, const tree::Variable& written, const DeclaredConstant& declared) {
         ChartInstance& instance = *terms_.frame.instance;
         terms_.frame.parameters.push_back(name);
@@ -139,7 +141,7 @@ private:
         ChartInstance::Argument& argument = given->second;
         argument.used = true;
         instance.record.refer(argument.parameter, written.name.where);
-        if (argument.kind == TermKind::Wrong) return declared.value;  // has an error
+        if (argument.kind == TermKind::Wrong) return declared.value;  // already reported
         if (argument.kind != declared.kind) {
             terms_.frame.errors.push_back(messages::type_mismatch(argument.where, '`' + name + '`',
                                                                   described(declared.kind), described(argument.kind)));
@@ -152,7 +154,7 @@ private:
         return argument.value;
     }
 
-    /// Returns the declarations of a chart, with its ports.
+    /// Returns the copied declarations of a chart, including its ports.
     std::vector<tree::ChartItem> chart_items(const tree::Chart& written) {
         constants(written.parameters);
         std::vector<tree::ChartItem> result;
@@ -162,7 +164,8 @@ private:
         return result;
     }
 
-    /// Calls `copy` with `frame`, and reports the errors in the arguments.
+    /// Calls `copy`, which copies the chart of an instance with `frame`. Then reports the errors in the arguments of
+    /// the instance.
     template <class Copy>
     void in_instance(NameCopier::Frame frame, const Copy& copy) {
         const ChartInstance& instance = *frame.instance;
@@ -204,7 +207,7 @@ private:
         else result.emplace_back(std::move(partial));
     }
 
-    /// Copies the declarations of a chart to a partial chart.
+    /// Copies the declarations of a chart to a partial chart that is an instance.
     void instantiate(tree::Name chart_name, tree::Partial& partial, std::vector<tree::ChartItem>& result) {
         const WrittenCharts none;
         const WrittenCharts& charts = expansion_.charts == nullptr ? none : *expansion_.charts;
@@ -237,7 +240,7 @@ private:
         result.emplace_back(std::move(partial));
     }
 
-    /// Adds the names of the internal variables.
+    /// Adds the names and positions of the internal variables in `items` to `names`.
     static void internals(const tree::File& file, const std::vector<tree::ChartItem>& items,
                           std::map<std::string, Span, std::less<>>& names) {
         for (const tree::ChartItem& item : items) {
@@ -250,8 +253,8 @@ private:
         }
     }
 
-    /// Reports variables of a closed loop with the name of an internal variable of the controller to which they are
-    /// bound. Without an error here, name resolution would report the declaration and each use of the variable.
+    /// Reports each variable of a closed loop that is bound to a controller with an internal variable of the same name.
+    /// Without this error, name resolution would report the declaration and each use of the variable.
     void check_internals(const NameCopier::Frame& frame) {
         for (const auto& [port, argument] : frame.instance->arguments)
             if (const auto own = frame.own.find(argument.variable);
@@ -287,7 +290,7 @@ private:
         }
     }
 
-    // Each function `part` replaces the names and terms of a part of a declaration by those of the copy.
+    // Each function `part` replaces the names and terms in a part of a declaration by the names and terms of the copy.
 
     template <class... Parts>
     void parts(Parts&... each) {
@@ -339,10 +342,10 @@ private:
     void part(tree::Accept& written) {
         terms_.count_text(written.code.size() + written.subject.size() + written.reason.size());
         if (terms_.frame.instance == nullptr || (written.subject.empty() && !terms_.frame.partial)) return;
-        written.subject_where = {};  // only the chart itself records its names
+        written.subject_where = {};  // only the resolution of the chart itself records names
         const auto bound = terms_.frame.values.find(written.subject);
         const bool variable = !written.code.starts_with("transition-") && written.code != "comes-once" &&
-                              written.code != "branches-together";  // a transition may have the name of a port
+                              written.code != "branches-together";  // the subject is a transition
         if (variable && bound != terms_.frame.values.end() && bound->second.op == Op::Name)
             written.subject = copy_.words[bound->second.word].text;
         else if (terms_.frame.partial) written.subject = terms_.frame.instance->name + '.' + written.subject;
@@ -390,8 +393,8 @@ private:
     Expansion& expansion_;
     tree::File& copy_;
     NameCopier terms_;
-    std::uint32_t copy_number_ = 0;  ///< number of the current copy; 0 outside of replications
-    std::size_t index_bytes_ = 0;    ///< length of the names of the index variables, which the note on a copy lists
+    std::uint32_t copy_number_ = 0;  ///< number of the current copy; 0 outside of all copies
+    std::size_t index_bytes_ = 0;    ///< total length of the names of the index variables around the current copy
 };
 
 }  // namespace
@@ -413,8 +416,8 @@ void check_indices(const Expansion& expansion, const std::function<std::optional
 
 namespace {
 
-/// Returns the values of the index variables of a copy, from the outermost to the innermost: `i = 1, k = 3`. `outer` is
-/// the number of a copy that contains the copy, or 0.
+/// Returns the values of the index variables of a copy as text, from the outermost to the innermost, such as `i = 1, k
+/// = 3`. The list excludes the index variables of the enclosing copy with the number `outer`; 0 excludes none.
 std::string values_of(const tree::File& file, std::uint32_t copy, std::uint32_t outer) {
     std::vector<const tree::Copy*> chain;
     for (; copy > outer; copy = chain.back()->outer) chain.push_back(&file.copies[copy - 1]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Resolves the instances of a closed loop: each binds the parameters of a component. Constants and outputs are resolved
-// first, because outputs declare the variables of the plant. Inputs are resolved afterwards, because they read these
-// variables. Faults are resolved last, because they inherit arguments of instances.
+// Resolves the instances of a closed loop. An instance binds the parameters of a component. Constants and outputs are
+// resolved first, because outputs declare the variables of the plant. Inputs are resolved afterwards, because they read
+// these variables. Faults are resolved last, because a fault inherits the arguments of its instance.
 #include <algorithm>
 #include <string>
 
@@ -25,8 +25,8 @@ struct Binding {
     const tree::Instance* written = nullptr;
     const Component* component = nullptr;
     ClosedLoop::Instance instance = {};
-    std::vector<const tree::Argument*> given = {};  ///< the argument of each parameter
-    std::vector<bool> bound = {};                   ///< true for parameters that are given or inherited
+    std::vector<const tree::Argument*> given = {};  ///< for each parameter: its argument, or null
+    std::vector<bool> bound = {};                   ///< for each parameter: true if it is given or inherited
     /// For a fault: the instance whose arguments it inherits.
     const Binding* of = nullptr;
     bool wrong = false;
@@ -65,7 +65,8 @@ std::string example(const Parameter& parameter) {
     unreachable();
 }
 
-/// A parameter of a fault without an argument has that of the parameter with the same name and type of its instance.
+/// Binds a parameter of a fault that has no argument: it inherits the argument of the instance's parameter with the
+/// same name and type. Returns false if the instance has no such parameter.
 bool inherit(const LoopScope& scope, Binding& binding, Id<Parameter> id) {
     if (binding.of == nullptr) return false;
     const Parameter& parameter = binding.component->parameters[id];
@@ -138,8 +139,8 @@ void bind_given_constant(LoopScope& scope, Binding& binding, Id<Parameter> id) {
     binding.instance.arguments[id.index] = value.value_or(0);
 }
 
-/// Binds defaults in the order of dependency: a default is bound after the constants that it reads. Cycles have already
-/// been rejected.
+/// Binds the defaults of constants in the order of dependency: a default is bound after the constants that it reads.
+/// The resolution of the component has already rejected cycles.
 void bind_defaults(LoopScope& scope, Binding& binding) {
     const Component& component = *binding.component;
     std::vector<bool> bound = binding.bound;
@@ -167,7 +168,8 @@ void bind_defaults(LoopScope& scope, Binding& binding) {
 
 // -- variables --------------------------------------------------------------------------------------------------------
 
-/// Returns the name to which an output is bound; reports any other expression.
+/// Returns the name of the variable to which an output is bound. Reports an error if the argument is another
+/// expression.
 std::optional<std::string_view> bound_name(LoopScope& scope, Binding& binding, Id<Parameter> id) {
     const tree::Expr& value = scope.file.exprs[binding.given[id.index]->value];
     if (value.op == tree::Op::Name) return scope.file.text(value.word);
@@ -177,7 +179,7 @@ std::optional<std::string_view> bound_name(LoopScope& scope, Binding& binding, I
 
 std::optional<Type> output_type(LoopScope& scope, Binding& binding, const Parameter& parameter) {
     if (parameter.value == Component::ValueKind::Boolean) return Type{};
-    if (!parameter.low || !parameter.high) return {};  // only beyond errors
+    if (!parameter.low || !parameter.high) return {};  // possible only after an error
     const auto low = value_of(scope, binding, *parameter.low);
     const auto high = low ? value_of(scope, binding, *parameter.high) : std::nullopt;
     if (!low || !high) return {};
@@ -242,7 +244,8 @@ void bind_input(LoopScope& scope, Binding& binding, Id<Parameter> id) {
     binding.instance.arguments[id.index] = named->second;
 }
 
-/// Beyond errors, records the names in all arguments, because arguments with errors are not bound.
+/// If the resolution continues after errors, records the names in all arguments, because arguments with errors are not
+/// bound.
 void record_arguments(LoopScope& scope, const tree::Instance& written) {
     if (!scope.record.beyond_errors()) return;
     for (const tree::Argument& argument : written.arguments) port_terms(scope).resolve(argument.value);
@@ -295,7 +298,7 @@ Binding begin(LoopScope& scope, const tree::Instance& written, DeclarationKind k
     return binding;
 }
 
-/// Matches the arguments, and binds the constants. Returns false after an error.
+/// Assigns the arguments to parameters, and binds the constants. Returns false after an error.
 bool bind_constants(LoopScope& scope, Binding& binding) {
     binding.component = &scope.context.model.components[binding.instance.component];
     binding.instance.arguments.resize(binding.component->parameters.size(), std::int64_t{0});
@@ -336,7 +339,7 @@ std::string type_text(const Type& type) {
     return type.boolean ? "bool" : "int " + std::to_string(type.low) + ".." + std::to_string(type.high);
 }
 
-/// Returns the output that is bound to a variable; invalid if there is none.
+/// Returns the output of an instance that is bound to `variable`; invalid if no output is bound to it.
 Id<Parameter> writer_of(const Binding& binding, Id<ClosedLoop::Shared> variable) {
     for (const Id<Parameter> id : binding.component->parameters.ids()) {
         const auto* shared = std::get_if<Id<ClosedLoop::Shared>>(&binding.instance.arguments[id.index]);
@@ -347,7 +350,8 @@ Id<Parameter> writer_of(const Binding& binding, Id<ClosedLoop::Shared> variable)
     return {};
 }
 
-/// Binds an output of a fault to a variable that its instance writes, with the same range.
+/// Binds an output of a fault to a variable. Reports an error if the instance of the fault does not write this
+/// variable, or writes it with another range.
 void bind_output_of_fault(LoopScope& scope, Binding& binding, Id<Parameter> id) {
     const Parameter& parameter = binding.component->parameters[id];
     const Span where = binding.given[id.index] == nullptr ? binding.written->component.where
@@ -376,7 +380,7 @@ void bind_output_of_fault(LoopScope& scope, Binding& binding, Id<Parameter> id) 
                                   type_text(*wanted)));
 }
 
-/// Checks that each variable that the instance writes has one output of the fault.
+/// Checks that the fault has exactly one output for each variable that its instance writes.
 void check_outputs_of_fault(LoopScope& scope, Binding& binding) {
     std::vector<int> writers(scope.loop.shared.size());
     const auto count = [&](const Binding& each, int change) {
@@ -399,7 +403,7 @@ void check_outputs_of_fault(LoopScope& scope, Binding& binding) {
     }
 }
 
-/// Checks that the invariant of the initial location holds when all clocks are 0.
+/// Checks that the invariant of the fault's initial location is true when all clocks are 0.
 void check_start(LoopScope& scope, Binding& binding) {
     const Component::Location& location = binding.component->locations[binding.instance.initial];
     for (const Component::ClockConstraint& bound : location.invariant) {
@@ -424,14 +428,15 @@ void bind_fault(LoopScope& scope, Binding& binding) {
     if (!binding.wrong) check_start(scope, binding);
 }
 
-/// Beyond errors, records the names of parameters and of the initial location in a fault of an instance with errors.
+/// If the resolution continues after errors, records the names of the parameters and of the initial location in a fault
+/// whose instance has errors.
 void record_parameters(LoopScope& scope, Binding& binding) {
     if (!scope.record.beyond_errors() || !binding.instance.component.valid()) return;
     bind_constants(scope, binding);
     choose_location(scope, binding);
 }
 
-/// `bindings` are the instances, in the order of the table of the loop.
+/// Resolves a fault. `bindings` are the instances, in the order of the table of instances of the loop.
 void resolve_fault(LoopScope& scope, const tree::Fault& written, const std::vector<Binding>& bindings) {
     const InCopy copy(scope.diagnostics, scope.file, written.behaviour.name);
     Binding binding = begin(scope, written.behaviour, DeclarationKind::Fault, written.where);

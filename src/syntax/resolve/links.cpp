@@ -12,7 +12,8 @@ namespace grafverif {
 
 namespace {
 
-/// Names of transitions: the declared names, and `t1`, `t2`, ... by position for transitions without a declared name.
+/// Assigns names to transitions: the declared name or, for a transition without a declared name, `t1`, `t2`, ...
+/// according to its position.
 class TransitionNames {
 public:
     explicit TransitionNames(ChartScope& scope, const WrittenChart& written) : scope_(&scope) {
@@ -41,7 +42,8 @@ private:
     UniqueNames names_ = {};
 };
 
-/// Returns a name that is declared in the same copy as the transition; invalid if there is none.
+/// Returns a name that occurs in the transition, and therefore belongs to the same copy; invalid if the transition
+/// contains no name.
 tree::Name name_in_copy(const tree::Transition& written) {
     if (written.name.valid()) return written.name;
     if (!written.from.empty()) return written.from.front();

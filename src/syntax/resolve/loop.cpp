@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Resolves a closed loop. The controllers declare the shared variables, the instances bind them, and the properties
-// read them.
+// Resolves a closed loop. The controllers declare the shared variables, the instances bind these variables, and the
+// properties read them.
 #include "ir/program/program.hpp"
 #include "support/messages.hpp"
 #include "support/messages_program.hpp"
@@ -26,7 +26,8 @@ namespace {
 
 std::string_view described(const Type& type) { return type.boolean ? "Boolean" : "an integer"; }
 
-/// Resolves one of two allowed words. Reports any other word, with the more similar allowed word as a suggestion.
+/// Resolves a word for which two values are allowed. Reports any other word, and suggests the more similar allowed
+/// word.
 template <class Value>
 std::optional<Value> choice(LoopScope& scope, tree::Name name, std::string_view kind,
                             std::initializer_list<std::pair<std::string_view, Value>> choices) {
@@ -85,7 +86,7 @@ void resolve_controller(LoopScope& scope, const tree::Controller& written) {
     known->second = scope.loop.controllers.add(std::move(controller));
 }
 
-/// Sets the cycle of a program without `every` to the interval of its task, if it has one.
+/// For a program without `every`, sets the task cycle to the interval of its task, if the task has an interval.
 void take_interval(LoopScope& scope, const tree::Controller& written) {
     const auto known = scope.controllers.find(scope.text(written.name()));
     if (known == scope.controllers.end() || !scope.chart(known->second).program) return;
@@ -94,7 +95,8 @@ void take_interval(LoopScope& scope, const tree::Controller& written) {
         controller.cycle = TaskCycle{*interval, *interval, controller.origin};
 }
 
-/// Resolves `every LEAST..MOST`. The controller does not exist if its declaration has an error.
+/// Resolves the task cycle `every LEAST..MOST` of a controller. If the declaration of the controller has an error, the
+/// controller does not exist.
 void resolve_cycle(LoopScope& scope, const tree::Controller& written) {
     if (!written.cycle.least.valid()) return take_interval(scope, written);
     const InCopy copy(scope.diagnostics, scope.file, written.name());
@@ -112,8 +114,8 @@ void resolve_cycle(LoopScope& scope, const tree::Controller& written) {
         scope.loop.controllers[controller->second].cycle = TaskCycle{*least, *most, written.cycle.where};
 }
 
-/// Records that a variable of a controller is a shared variable. In an instance of a chart, the position of the
-/// variable is that of the argument.
+/// Records that a variable of a controller is a shared variable. If the controller is an instance of a chart, the
+/// position of the variable is the position of the argument.
 void record_shared(const LoopScope& scope, const Chart& chart, const Chart::Variable& variable,
                    const ClosedLoop::Shared& known) {
     if (chart.instance_of.empty()) return scope.record.share(variable.origin, known.origin);
@@ -162,7 +164,8 @@ void share_output(LoopScope& scope, Id<ClosedLoop::Controller> controller, Id<Ch
     known.variable = id;
 }
 
-/// Outputs are declared first, because the writer of a variable determines its range.
+/// Declares the shared variables of all controllers: first the outputs, because the writer of a variable determines its
+/// range, then the inputs.
 void share_variables(LoopScope& scope) {
     for (const Chart::VariableKind kind : {Chart::VariableKind::Output, Chart::VariableKind::Input}) {
         for (const Id<ClosedLoop::Controller> controller : scope.loop.controllers.ids()) {
@@ -216,7 +219,7 @@ void resolve_schedule(LoopScope& scope, const tree::Schedule& written) {
                                             {"sequenced", Schedule::Sequenced}});
 }
 
-/// Checks a formula that is written for an external tool and is copied unchanged into models.
+/// Checks a formula in the language of an external tool, because it is copied unchanged into models.
 void check_formula(LoopScope& scope, const tree::Property& written) {
     const auto language = formula_language(written.pattern);
     if (!language) return;
@@ -258,7 +261,7 @@ void resolve_property(LoopScope& scope, const tree::Property& written,
     property.pattern = written.pattern;
     property.raw = written.raw;
     property.watch = written.watch;
-    if (written.bound.valid()) {  // beyond errors, the count may be missing
+    if (written.bound.valid()) {  // after an error, the count may be missing
         if (property.watch.kind == Sentence::Kind::Occurrences) property.watch.count = count_of(scope, written.bound);
         else property.watch.duration_ms = duration_of(scope, written.bound);
     }
@@ -292,7 +295,7 @@ void resolve_queries(LoopScope& scope, const tree::ClosedLoop& written) {
                        [](const tree::Constraint&) {},
                        [](const tree::Observer&) {},
                        [&](const tree::Schedule& chosen) { resolve_schedule(scope, chosen); },
-                       [](const tree::ReplicatedLoopItems&) {},  // expanded before
+                       [](const tree::ReplicatedLoopItems&) {},  // already expanded
                        [&](const tree::Accept& accept) {
                            scope.diagnostics.add(messages::not_yet(accept.where, "`accept` outside a chart"));
                        },
@@ -316,7 +319,8 @@ void check_driven(LoopScope& scope, Span loop) {
     }
 }
 
-/// Reports instances of charts with the name of another element whose parts properties can name.
+/// Reports a controller that is an instance of a chart and has the name of an instance of a component or of an
+/// observer, because properties could not distinguish them.
 void check_controller_names(LoopScope& scope) {
     for (const ClosedLoop::Controller& controller : scope.loop.controllers) {
         if (scope.context.model.charts[controller.chart].instance_of.empty()) continue;
@@ -331,7 +335,7 @@ void check_controller_names(LoopScope& scope) {
     }
 }
 
-/// Resolves all declarations except constants, which precede them.
+/// Resolves all declarations except constants, which have been resolved before.
 void resolve_items(LoopScope& scope, const tree::ClosedLoop& written) {
     bool controlled = false;
     for (const tree::LoopItem& item : written.items)
@@ -353,7 +357,8 @@ void resolve_items(LoopScope& scope, const tree::ClosedLoop& written) {
     if (!scope.incomplete) check_driven(scope, written.where);
 }
 
-/// Returns the position of the declaration of any name in the terms of the loop; empty if there is none.
+/// Returns the position of the declaration of a name that terms of the loop can contain; empty if the name is not
+/// declared.
 std::optional<Span> declared_name(const LoopScope& scope, std::string_view name) {
     if (const auto constant = scope.constants.find(name); constant != scope.constants.end())
         return constant->second.where;

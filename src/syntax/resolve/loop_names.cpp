@@ -55,7 +55,7 @@ Term internal_term(LoopScope& scope, Id<Controller> controller, Id<Chart::Variab
                        scope.chart(controller).variables[variable].type.boolean);
 }
 
-/// Returns the name qualified by the controller, which is unambiguous in properties.
+/// Returns the name qualified by the name of its controller. The qualified name is unambiguous in properties.
 std::string qualified(const LoopScope& scope, Id<Controller> controller, std::string_view name) {
     return scope.loop.controllers[controller].name + '.' + std::string(name);
 }
@@ -78,8 +78,8 @@ Term unknown_name(LoopScope& scope, Span where, std::string_view name) {
     return {};
 }
 
-/// Returns the internal variable `name` of a controller, if any. Variable names of programs are compared
-/// case-insensitively.
+/// Returns the internal variable `name` of a controller; empty if the controller has no such variable. Variable names
+/// of programs are compared case-insensitively.
 std::optional<Id<Chart::Variable>> internal_named(const LoopScope& scope, Id<Controller> controller,
                                                   std::string_view name) {
     const auto& internals = scope.inside[controller.index].internals;
@@ -90,7 +90,7 @@ std::optional<Id<Chart::Variable>> internal_named(const LoopScope& scope, Id<Con
     return {};
 }
 
-/// Reports the name of a variable, such as `XFill` or `Tank.XFill`, that also denotes a step of a program.
+/// Reports a name such as `XFill` or `Tank.XFill` that denotes both a variable and a step of a program.
 bool report_step_or_variable(LoopScope& scope, Id<Controller> controller, std::string_view name, Span where) {
     const Chart& chart = scope.chart(controller);
     const std::size_t dot = name.rfind('.');
@@ -109,12 +109,14 @@ bool report_step_or_variable(LoopScope& scope, Id<Controller> controller, std::s
     return false;
 }
 
-/// Resolves a step `X2` or an internal variable of one controller, optionally in one of its partial charts.
+/// Resolves a step variable such as `X2`, or an internal variable, of one controller; if `partial` is set, only in this
+/// partial chart.
 std::optional<Term> inside(LoopScope& scope, Id<Controller> controller, std::string_view name,
                            std::optional<Id<Chart::PartialChart>> partial, Span where) {
     const LoopScope::Inside& known = scope.inside[controller.index];
     const Chart& chart = scope.chart(controller);
-    // The internal variable `N` of the partial chart `Head[1]`, an instance of a chart, has the name `Head[1].N`.
+    // The names of internal variables are qualified: for example, `N` of the partial chart `Head[1]` (an instance of a
+    // chart) has the name `Head[1].N`.
     const std::string owner = partial ? chart.partial_charts[*partial].name : "";
     const auto internal =
         internal_named(scope, controller, owner.empty() ? std::string(name) : owner + '.' + std::string(name));
@@ -144,7 +146,7 @@ Term own_term(LoopScope& scope, Id<ClosedLoop::Instance> instance, Id<Component:
                        component.variables[variable].value == Component::ValueKind::Boolean);
 }
 
-/// Resolves `Gate_X`. Traces and models use this name for the variable `X` of `Gate`.
+/// Resolves a name such as `Gate_X`, by which traces and models denote the variable `X` of the instance `Gate`.
 std::optional<Term> display_name(LoopScope& scope, Span where, std::string_view name) {
     for (const Id<ClosedLoop::Instance> id : scope.loop.instances.ids()) {
         const ClosedLoop::Instance& instance = scope.loop.instances[id];
@@ -194,7 +196,8 @@ Term simple_name(LoopScope& scope, Span where, std::string_view name) {
 
 // -- `owner.name` -----------------------------------------------------------------------------------------------------
 
-/// Resolves an internal variable of the instance, or the variable that is bound to its output or input `name`.
+/// Resolves `name` to an internal variable of the instance, or to the variable or term that is bound to the output or
+/// input `name` of the instance.
 std::optional<Term> variable_of(LoopScope& scope, Id<ClosedLoop::Instance> instance, const Component& component,
                                 std::string_view name, Span where) {
     for (const Id<Component::Variable> variable : component.variables.ids()) {
@@ -215,7 +218,8 @@ std::optional<Term> variable_of(LoopScope& scope, Id<ClosedLoop::Instance> insta
     return {};
 }
 
-/// Resolves `Gate.open` and `Gate in open` to a location, and `Gate.X` to a variable, unless a location has this name.
+/// Resolves a name of an instance. `Gate in open` denotes a location. `Gate.open` denotes a location or, if no location
+/// has this name, a variable.
 Term state_of(LoopScope& scope, Id<ClosedLoop::Instance> instance, std::string_view name, const tree::Expr& node) {
     const Span where = node.where, last = last_name(where, name);
     const Id<Component> id = scope.loop.instances[instance].component;
@@ -265,7 +269,7 @@ Term inside_or_unknown(LoopScope& scope, Id<Controller> controller, std::string_
     return unknown_name(scope, where, name);
 }
 
-/// Reports `X2.T`, `Fill.T` and `Fill.X` of IEC 61131-3 if a controller has the steps `2` and `Fill`.
+/// Reports terms of IEC 61131-3 such as `X2.T`, `Fill.T` and `Fill.X` if a controller has the steps `2` and `Fill`.
 bool report_step_member(LoopScope& scope, std::string_view owner, std::string_view member, Span where) {
     if (!is_step_member(member)) return false;
     for (const LoopScope::Inside& inside : scope.inside) {
@@ -277,7 +281,8 @@ bool report_step_member(LoopScope& scope, std::string_view owner, std::string_vi
     return false;
 }
 
-/// Returns the name of a cell, such as `T1.Q`, for a node that consists of names only, otherwise an empty string.
+/// Returns the name of a memory cell of a program, such as `T1.Q`. If `node` does not consist only of names, returns an
+/// empty string.
 std::string cell_path(const LoopScope& scope, const tree::Expr& node) {
     if (node.op == tree::Op::Name) return std::string(scope.file.text(node.word));
     if (node.op != tree::Op::Member) return {};
@@ -285,8 +290,8 @@ std::string cell_path(const LoopScope& scope, const tree::Expr& node) {
     return owner.empty() ? "" : owner + '.' + std::string(scope.file.text(node.word));
 }
 
-/// Records the owners in the path `node`, which denotes the cell `cell` of a program: instances and structures, preceded
-/// by the controller if the path begins with its name.
+/// Records the qualifiers in the path `node`, which denotes the memory cell `cell` of a program: instances, structures
+/// and, if the path begins with its name, the controller.
 void record_owners(const LoopScope& scope, const Chart& chart, const tree::Expr& node, std::string_view cell) {
     std::vector<const tree::Expr*> owners;
     for (const tree::Expr* each = &node; each->op == tree::Op::Member; owners.push_back(each))
@@ -300,7 +305,8 @@ void record_owners(const LoopScope& scope, const Chart& chart, const tree::Expr&
     }
 }
 
-/// Resolves a member of a block or a structure of a program, `T1.Q` or `drive.T1.Q`; empty if no program has it.
+/// Resolves a member of a function block or a structure of a program, such as `T1.Q` or `drive.T1.Q`; empty if no
+/// program has this member.
 std::optional<Term> cell_term(LoopScope& scope, const tree::Expr& node) {
     const std::string path = cell_path(scope, node);
     std::optional<Term> found;
@@ -331,7 +337,7 @@ std::optional<Term> cell_term(LoopScope& scope, const tree::Expr& node) {
     return found;
 }
 
-/// Resolves `G2.X2` if one controller has a partial chart `G2`.
+/// Resolves a name such as `G2.X2` if exactly one controller has a partial chart `G2`.
 Term in_partial_chart(LoopScope& scope, const tree::Expr& owner, std::string_view name, Span where) {
     const std::string_view partial = scope.file.text(owner.word);
     std::optional<Id<Controller>> found;
@@ -388,7 +394,7 @@ Term member_name(LoopScope& scope, const tree::Expr& node) {
         if (controller != scope.controllers.end()) {
             const Chart& chart = scope.chart(controller->second);
             scope.record.refer(owner.where, chart.origin);
-            // If several steps have this name, `chart.X2` denotes the step that is declared directly in the grafcet.
+            // If several steps have the same name, `chart.X2` denotes the step that is declared directly in the chart.
             const auto& steps = scope.inside[controller->second.index].steps;
             const auto same = name.size() > 1 ? steps.find(name.substr(1)) : steps.end();
             const bool repeated = name[0] == 'X' && same != steps.end() && same->second.size() > 1;
@@ -426,7 +432,8 @@ Term member_name(LoopScope& scope, const tree::Expr& node) {
     return inside_or_unknown(scope, controller->second, name, partial->second, node.where);
 }
 
-/// Reports that a name in the term of an input is unknown, or is internal to a controller or an instance.
+/// Reports an invalid name in a term that is bound to an input: the name is unknown, or it is internal to a controller
+/// or an instance.
 Term no_signal(LoopScope& scope, const tree::Expr& node, std::string_view name) {
     if (node.op != tree::Op::Name) {
         const std::string_view owner = scope.file.text(scope.file.exprs[node.first].word);

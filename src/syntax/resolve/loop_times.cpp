@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Time conditions in properties. A property does not create timers. A property with a duration has an observer instead.
-// A time condition in a property reads a timer of a chart of the loop, which also appears in traces: `3s/X2` of a
-// transition or of a delayed action.
+// Resolves time conditions in properties. A property creates no timer. Therefore a time condition in a property, such
+// as `3s/X2`, must also occur in a transition or a delayed action of a chart of the loop. It reads the timer of this
+// chart, which also appears in traces.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -39,7 +39,7 @@ bool is(const LoopScope& scope, Id<Controller> controller, const Expr& leaf, con
            scope.loop.shared[shared->shared].name == chart.variables[{index}].name;
 }
 
-/// True if a term of the chart equals a term of the loop.
+/// True if the term `of_controller` of a chart is equal to the term `own` of the loop.
 bool same(const LoopScope& scope, Id<Controller> controller, Id<Expr> of_controller, Id<Expr> own) {
     const Exprs& of_chart = scope.chart(controller).exprs;
     const Expr &left = of_chart[of_controller], &right = scope.loop.exprs[own];
@@ -50,13 +50,14 @@ bool same(const LoopScope& scope, Id<Controller> controller, Id<Expr> of_control
                               [&](Id<Expr> one, Id<Expr> other) { return same(scope, controller, one, other); });
 }
 
-/// A timer together with the term that it observes.
+/// A timer of a chart, and its durations.
 struct Timer {
     ClosedLoop::TimeSymbol symbol = {};
     Times times = {};
 };
 
-/// Returns the timers of the loop that observe the term, each once per chart.
+/// Returns the timers of the charts that observe the term `watched`. Timers of one chart with the same durations are
+/// returned once.
 std::vector<Timer> timers_over(const LoopScope& scope, Id<Expr> watched) {
     std::vector<Timer> found;
     for (const Id<Controller> controller : scope.loop.controllers.ids()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// NameCopier: copies names and terms, with values for index variables and constants and with variables for ports. It
-// counts the elements of the copies, whose number is limited. `expand` copies declarations with it.
+// NameCopier: copies names and terms of a chart, component or loop. In the copy, values replace index variables and
+// constants, and variables replace ports (inputs and outputs of an instantiated chart). The copier counts the elements
+// of the copies, because their number is limited. `expand` uses it to copy declarations.
 #pragma once
 
 #include <algorithm>
@@ -38,27 +39,28 @@ public:
         Span where = {};  ///< position of the replication
         std::int64_t value = 0;
     };
-    /// What replaces a name in a chart: a variable (Op::Name) or the value of a constant.
+    /// The replacement of a name in a chart: a variable (Op::Name) or the value of a constant.
     struct Value {
         Op op = Op::Name;
         std::int64_t value = 0;
         Id<tree::Word> word = {};
         Span where = {};           ///< position of the declaration or of the argument
-        Id<tree::Expr> term = {};  ///< a step variable `line.X1`
+        Id<tree::Expr> term = {};  ///< a step variable such as `line.X1`
     };
-    /// The text that is copied, and what replaces its names.
+    /// The declarations that are copied, and the replacements of their names.
     struct Frame {
         const tree::File* file = nullptr;
         std::vector<Index> indices = {};
         Recorder record = {};
-        ChartInstance* instance = nullptr;  ///< null outside instances
+        ChartInstance* instance = nullptr;  ///< null outside of instances
         std::string_view chart = {};        ///< in an instance: the name of its chart
         bool partial = false;               ///< true if the instance is a partial chart
         std::map<std::string, Value, std::less<>> values = {};
-        std::set<std::string, std::less<>> bound = {};  ///< the variables that are bound to ports
-        /// The internal variables, without indices. The position is empty if a variable has an index.
+        std::set<std::string, std::less<>> bound = {};  ///< variables that are bound to ports
+        /// The internal variables of the chart, by name without indices. The position of a variable with indices is
+        /// empty.
         std::map<std::string, Span, std::less<>> own = {};
-        std::vector<tree::Variables> ports = {};   ///< result for a partial chart
+        std::vector<tree::Variables> ports = {};   ///< result for a partial chart: its ports
         std::vector<std::string> parameters = {};  ///< the names of ports and constants
         std::vector<Diagnostic> errors = {};       ///< errors in the arguments
     };
@@ -67,7 +69,7 @@ public:
     }
     void count_text(std::size_t bytes) { count_in_copy(bytes / 64); }
 
-    /// What follows from a range whose upper bound is one less than the lower bound.
+    /// Treatment of an empty range (the upper bound is one less than the lower bound).
     enum class Empty { IsError, IsAllowed };
 
     /// Calls `body` for each value of the index variable.
@@ -84,7 +86,7 @@ public:
         }
     }
 
-    /// Returns the word of a name with its indices: `B[3]`.
+    /// Returns the word of a name with the values of its indices, such as `B[3]`.
     Id<tree::Word> indexed(Id<tree::Word> word, Id<tree::Expr> index) {
         count_text(frame.file->text(word).size());
         if (!index.valid()) return words.intern(frame.file->text(word));
@@ -128,8 +130,9 @@ public:
         return id;
     }
 
-    /// Returns the word of the variable that replaces `word`, or `word`. A name in an instance never denotes a variable
-    /// around the instance: `A[LAST]` is unknown if the chart does not declare it, even if an `A[3]` is bound to a port.
+    /// Returns the word of the variable that replaces `word`; if no variable replaces it, returns `word`. A name in an
+    /// instance never denotes a variable outside of the instance: `A[LAST]` is unknown if the chart does not declare
+    /// it, even if an `A[3]` is bound to a port.
     Id<tree::Word> variable_for(Id<tree::Word> word) {
         const std::string_view name = copy_.words[word].text;
         const auto known = frame.values.find(name);
@@ -137,7 +140,7 @@ public:
         return frame.partial || frame.bound.contains(name) ? own_variable(word) : word;
     }
 
-    /// Returns the word of an internal variable of the instance.
+    /// Returns the qualified name of an internal variable of the instance, such as `Head.N`.
     Id<tree::Word> own_variable(Id<tree::Word> word) {
         return words.intern(frame.instance->name + '.' + std::string(copy_.words[word].text));
     }
@@ -149,7 +152,7 @@ public:
 
     Frame frame = {};
     tree::Words words;
-    bool too_large = false;  ///< true if an error about the size has been reported
+    bool too_large = false;  ///< true after the error that the copies are too large
 
 private:
     struct Bounds {
@@ -158,7 +161,7 @@ private:
 
     // -- replications -------------------------------------------------------------------------------------------------
 
-    /// Counts elements of the copies. Returns false if the result is too large, which is reported once.
+    /// Counts elements of the copies. Returns false if the copies are too large; reports this error only once.
     bool count(Span where, std::uint64_t elements) {
         if (too_large) return false;
         if (elements <= largest_expansion - size_) return size_ += elements, true;
@@ -168,7 +171,7 @@ private:
         return false;
     }
 
-    /// Returns the position of the outermost copy, or `where` if there is none.
+    /// Returns the position of the outermost instance or replication; outside of copies, returns `where`.
     Span counted_at(Span where) const {
         if (frame.instance != nullptr) return frame.instance->where;
         return frame.indices.empty() ? where : frame.indices.front().where;
@@ -184,8 +187,8 @@ private:
         if (frame.instance == nullptr) expansion_.indices.try_emplace(std::string(name), index.where);
     }
 
-    /// Returns the range; nothing if it is empty or after an error. Beyond errors, there is one copy instead, whose
-    /// names are recorded.
+    /// Returns the bounds of a range, or nullopt if the range is empty or after an error. If the resolution continues
+    /// after errors, returns a range with one value instead, so that the names in this copy are recorded.
     std::optional<Bounds> bounds_of(const tree::Replication& written, Empty empty) {
         const std::string user = "the range of `" + std::string(frame.file->text(written.index)) + '`';
         const auto low = value_of(written.range.low, user), high = value_of(written.range.high, user);
@@ -200,14 +203,14 @@ private:
         return Bounds{low.value_or(1), low.value_or(1)};
     }
 
-    /// Returns the value of a range bound or an index; empty after an error.
+    /// Returns the value of a bound of a range, or of an index; empty after an error.
     std::optional<std::int64_t> value_of(Id<tree::Expr> written, std::string_view user) {
         const Id<tree::Expr> term = copied(written);
         if (copy_.exprs[term].op == Op::Number) return copy_.exprs[term].value;
         return expansion_.constant_terms(user).constant(term, TermKind::Integer, user);
     }
 
-    /// Returns the value of an index variable; empty if `node` is not the name of one.
+    /// Returns the value of the index variable that `node` denotes; empty if `node` does not denote an index variable.
     std::optional<std::int64_t> value_of_index(const tree::Expr& node) {
         if (node.op != Op::Name || node.first.valid()) return {};
         for (const Index& index : frame.indices) {
@@ -218,7 +221,8 @@ private:
         return {};
     }
 
-    /// Copies the owner in `owner.name` or `owner in name`. An index variable is an integer, which owns nothing.
+    /// Copies the owner in `owner.name` or `owner in name`. Reports an error if the owner is an index variable, because
+    /// an index variable is an integer.
     Id<tree::Expr> owner_of(Id<tree::Expr> written, Op op) {
         tree::Expr node = frame.file->exprs[written];
         if (!value_of_index(node) && node.op == Op::Name && frame.instance != nullptr) {
@@ -241,7 +245,7 @@ private:
 
     // -- names and terms ----------------------------------------------------------------------------------------------
 
-    /// Returns a copy of `line.X1`, a term of the result.
+    /// Returns a copy of a step variable such as `line.X1`, which is already a term of the result.
     Id<tree::Expr> copy_of(Id<tree::Expr> member) {
         tree::Expr node = copy_.exprs[member], owner = copy_.exprs[node.first];
         node.next = owner.next = {};
@@ -251,13 +255,14 @@ private:
         return copy_.exprs.add(node);
     }
 
-    /// True for a step variable in a chart that is a partial chart.
+    /// True for a step variable in the chart of an instance that is a partial chart.
     bool is_step_of_partial(const tree::Expr& node) const {
         const std::string_view name = copy_.words[node.word].text;
         return frame.partial && name.size() > 1 && name[0] == 'X' && !frame.own.contains(without_indices(name));
     }
 
-    /// Returns the step variable of the instance, `Head.X1`, because `X1` could be a step of another partial chart.
+    /// Returns the qualified step variable, such as `Head.X1` in the instance `Head`, because `X1` alone could denote a
+    /// step of another partial chart.
     Id<tree::Expr> step_of_partial(tree::Expr node) {
         tree::Expr owner = node;
         owner.word = words.intern(frame.instance->name);
@@ -268,7 +273,7 @@ private:
         return id;
     }
 
-    /// Replaces the name of a port, a constant or an internal variable.
+    /// Replaces a name in `node` that denotes a port, a constant or an internal variable.
     void substitute(tree::Expr& node) {
         const auto known = frame.values.find(copy_.words[node.word].text);
         if (known == frame.values.end() || known->second.op == Op::Name) {
@@ -281,7 +286,8 @@ private:
         node.word = {};
     }
 
-    /// Returns the conjunction or disjunction `node` of the terms of `all` or `any`. Without terms, it is a constant.
+    /// Expands `all` or `any` to a conjunction or disjunction. `node` has the operator of the result. Without operands,
+    /// the result is a constant.
     Id<tree::Expr> junction(tree::Expr node, Id<tree::Expr> written) {
         std::vector<Id<tree::Expr>> operands;
         repeat_term(written, Empty::IsAllowed, operands);

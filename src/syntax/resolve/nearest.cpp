@@ -11,7 +11,8 @@ namespace {
 constexpr std::size_t longest = 64;
 
 /// Returns the distance of two names (optimal string alignment), or a value of at least `bound` if the distance is not
-/// less than `bound`. Only cells at a distance of at most `bound` from the diagonal are computed.
+/// less than `bound`. The function computes only those cells of the distance matrix that are at most `bound` away from
+/// the diagonal.
 std::size_t distance(std::string_view a, std::string_view b, std::size_t bound) {
     const std::size_t difference = a.size() > b.size() ? a.size() - b.size() : b.size() - a.size();
     if (difference >= bound || a.size() > longest || b.size() > longest) return bound;
@@ -47,8 +48,8 @@ std::string folded(std::string_view name) {
     return text;
 }
 
-/// Returns the maximum distance of a candidate from `name`. Numbers and single letters are similar to too many names;
-/// therefore, only a difference in case is tolerated for them.
+/// Returns the maximum distance of a candidate from `name`. For numbers and single letters, only a difference in case
+/// is tolerated, because they are similar to too many names.
 std::size_t tolerance(std::string_view name) {
     if (name.size() < 2 || name.find_first_not_of("0123456789") == std::string_view::npos) return 0;
     return name.size() < 6 ? 1 : 2;
@@ -66,7 +67,7 @@ void Nearest::offer(char prefix, std::string_view candidate) {
 }
 
 void Nearest::offer(std::string_view candidate) {
-    // If the names differ only in case, no other candidate is nearer.
+    // If the best candidate differs only in case, no other candidate is nearer.
     if (distance_ == 1 || candidate == name_) return;
     const std::size_t bound = (distance_ + 1) / 2;
     if (std::max(name_.size(), candidate.size()) - std::min(name_.size(), candidate.size()) >= bound) return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Nearest: finds the name that was probably misspelt. The distance is the number of insertions, deletions and
-// replacements of characters and of swaps of adjacent characters; candidates at a distance of more than two are
-// ignored. The length alone excludes most candidates. Case is considered only if distances are equal.
+// Nearest: finds the declared name that a misspelt name probably denotes. The distance is the number of insertions,
+// deletions and replacements of characters and of swaps of adjacent characters; candidates at a distance of more than
+// two are ignored. The length alone excludes most candidates. Case is considered only if distances are equal.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ public:
     void offer(std::string_view candidate);
     /// Offers a step variable: `X` and the name of a step.
     void offer(char prefix, std::string_view candidate);
-    /// Returns the first of the nearest candidates; empty if none is near enough.
+    /// Returns the first of the nearest candidates; empty if all candidates are too different.
     const std::string& best() const { return best_; }
 
 private:

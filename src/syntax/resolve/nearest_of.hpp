@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds the nearest name in a list.
+// Finds the name in a list that is most similar to a misspelt name.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,7 +11,8 @@
 
 namespace grafverif {
 
-/// Returns the element of `candidates` that the misspelt `name` probably denotes; empty if none is near enough.
+/// Returns the element of `candidates` that the misspelt `name` probably denotes; empty if all candidates are too
+/// different.
 template <class Names>
 std::string nearest_of(std::string_view name, const Names& candidates) {
     Nearest nearest(name);
@@ -19,7 +20,8 @@ std::string nearest_of(std::string_view name, const Names& candidates) {
     return nearest.best();
 }
 
-/// Returns the message that there is no `what` with this name. The message suggests the most similar known name.
+/// Returns the message that no element of the type `what` has the name `name`. The message suggests the most similar
+/// known name.
 template <class Names>
 std::string unknown_name_text(std::string_view what, std::string_view name, const Names& known) {
     const std::string meant = nearest_of(name, known);

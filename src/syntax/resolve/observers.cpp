@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Resolves observers, which monitor a closed loop, and constraints, which are assumptions about the inputs.
+// Resolves the observers of a closed loop (automata that monitor it) and its constraints (assumptions about the
+// inputs).
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/print/chart.hpp"
@@ -78,7 +79,7 @@ void resolve_edge(LoopScope& scope, Id<Observer> observer, const tree::ObserverE
 
 // -- constraints ------------------------------------------------------------------------------------------------------
 
-/// True if the term reads only inputs of controllers; otherwise reports the first violation.
+/// True if the term reads only inputs of controllers. Otherwise, reports the first other name.
 bool reads_inputs_only(LoopScope& scope, Id<Expr> condition, Span where) {
     bool only = true;
     const auto refuse = [&](const std::string& name) {
@@ -111,7 +112,7 @@ void add_constraint(LoopScope& scope, ClosedLoop::Constraint constraint, const s
     scope.loop.constraints.add(std::move(constraint));
 }
 
-/// Adds the constraints of the charts on their inputs.
+/// Adds the constraints that charts declare for their inputs.
 void take_chart_constraints(LoopScope& scope) {
     for (const Id<ClosedLoop::Controller> id : scope.loop.controllers.ids()) {
         const Chart& chart = scope.chart(id);
@@ -128,8 +129,8 @@ void take_chart_constraints(LoopScope& scope) {
     }
 }
 
-/// Adds the constraints of components on their outputs. In these constraints, outputs are replaced by the bound
-/// variables, and constants are replaced by the arguments.
+/// Adds the constraints that components declare for their outputs. In the added constraints, the bound variables
+/// replace the outputs, and the arguments replace the constants.
 void take_component_constraints(LoopScope& scope) {
     for (const Id<ClosedLoop::Instance> id : scope.loop.instances.ids()) {
         const ClosedLoop::Instance& instance = scope.loop.instances[id];

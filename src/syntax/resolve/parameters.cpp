@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Resolves the parameters and variables of a component. A constant has its declared type, otherwise the type of its
-// default. Without a type and a default, the constant is an integer. A default can name constants that are declared
-// later. Therefore defaults are resolved in the order of dependency.
+// Resolves the parameters and variables of a component. A constant has its declared type or, if no type is declared,
+// the type of its default. Without a type and a default, the constant is an integer. A default can name constants that
+// are declared later. Therefore defaults are resolved in the order of dependency.
 #include <algorithm>
 #include <deque>
 #include <vector>
@@ -136,7 +136,8 @@ struct Constant {
     std::size_t needs = 0;                ///< number of defaults that must be resolved first
 };
 
-/// Collects the names in a term. The depth of terms is limited, but their width is not.
+/// Collects the names in a term. The recursion is safe, because the depth of terms is limited; their number of operands
+/// is not.
 void names_in(const tree::File& file, Id<tree::Expr> node, std::vector<Id<tree::Word>>& names) {
     const tree::Expr& written = file.exprs[node];
     if (written.op == tree::Op::Name) names.push_back(written.word);
@@ -250,7 +251,7 @@ Component::ParameterKind parameter_kind(tree::VariableKind kind) {
     case tree::VariableKind::Output: return Component::ParameterKind::Output;
     case tree::VariableKind::Constant: return Component::ParameterKind::Constant;
     case tree::VariableKind::Internal:
-    case tree::VariableKind::Own: break;  // the grammar of parameters excludes these types
+    case tree::VariableKind::Own: break;  // the grammar excludes these types of parameters
     }
     unreachable();
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Determines the steps that can become active according to the links, under the assumption that all conditions are
-// satisfiable. Steps that cannot become active are reported.
+// Determines the steps that can become active according to the structure of the chart, under the assumption that all
+// conditions are satisfiable. Reports the steps that cannot become active.
 //
-// A step is activated at power-on if it is initial, or by a transition if all upstream steps of the transition can be
-// active. It is also activated by a source transition, a forcing order, an activation link, or its macro-step.
+// An initial step is activated at power-on. A transition activates its downstream steps if all its upstream steps can
+// be active. A source transition, a forcing order, an activation link or a macro-step can also activate a step.
 #include <numeric>
 #include <vector>
 
@@ -61,11 +61,11 @@ private:
     std::vector<bool> active_;
     std::vector<std::size_t> waits_;  ///< for each transition: number of upstream steps not yet known to be reachable
     std::vector<std::vector<Id<Chart::Transition>>> downstream_ = {};
-    std::vector<std::vector<Id<Chart::Step>>> links_ = {};  ///< steps that each owning step activates
+    std::vector<std::vector<Id<Chart::Step>>> links_ = {};  ///< for each owning step: the steps that it activates
     std::vector<Id<Chart::Step>> work_ = {};
 };
 
-/// Union-find structure: connected inactive steps form one group and are reported once.
+/// Union-find structure of inactive steps: connected steps form one group, and each group is reported once.
 class Groups {
 public:
     explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
@@ -82,8 +82,8 @@ private:
     std::vector<std::size_t> parent_;
 };
 
-/// Returns the partial charts whose steps can never become active. Reports each such chart that is plain or enclosed,
-/// if it has no owner or its owner can be active.
+/// Returns, for each partial chart, true if none of its steps can become active. Reports the partial chart if it is
+/// plain or enclosed, and if it has no owner (macro-step or enclosing step) or its owner can be active.
 std::vector<bool> never_started(const Chart& chart, const std::vector<bool>& active, Diagnostics& diagnostics) {
     std::vector<bool> some(chart.partial_charts.size()), alive(some.size()), owner_active(some.size(), true);
     for (const Id<Chart::Step> id : chart.steps.ids()) {

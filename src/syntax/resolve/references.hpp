@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// References: the declarations of names, and for each other occurrence of a name the declaration that it denotes. Name
-// resolution records them on request, also beyond errors.
+// References: the declarations of names and, for each other occurrence of a name, the declaration that the name
+// denotes. Name resolution records references on request, and can continue after errors to record more of them.
 //
-// The position of its name identifies a declaration, and not an entity of an IR. Therefore a declaration that name
-// resolution expands to several entities is recorded once, and all references to these entities refer to it. If several
-// declarations have the same name, which is an error, each is recorded, and references refer to the first.
+// A declaration is identified by the position of its name. Therefore a declaration that name resolution expands to
+// several elements is recorded once, and all references to these elements refer to this declaration. If several
+// declarations have the same name (an error), each declaration is recorded, and references refer to the first.
 #pragma once
 
 #include <algorithm>
@@ -50,30 +50,30 @@ enum class DeclarationKind {
 struct References {
     struct Declaration {
         DeclarationKind kind = DeclarationKind::Chart;
-        std::string name = {};  ///< without indices
+        std::string name = {};  ///< name without indices
         Span where = {};        ///< position of the name
         Span whole = {};        ///< position of the declaration
-        Span owner = {};        ///< name of the enclosing declaration; without source for a declaration of the file
-        std::string text = {};  ///< the declaration in one line; empty for the text of the source
+        Span owner = {};        ///< name of the enclosing declaration; no source at file level
+        std::string text = {};  ///< text in one line; if empty, the source text is used
     };
     struct Reference {
-        Span where = {};        ///< position of the occurrence; the `X` of a step variable `X2` precedes the name
+        Span where = {};        ///< position of the occurrence; for a step variable `X2`, it includes the `X`
         Span declaration = {};  ///< position of the declared name
         bool writes = false;    ///< true if the occurrence is the target of an action, assignment or output
     };
 
     std::vector<Declaration> declarations = {};
     std::vector<Reference> references = {};
-    /// Pairs of declarations that must have the same name: a closed loop shares inputs and outputs of its controllers
-    /// by name, and a fault inherits the arguments of its instance by the names of the parameters.
+    /// Pairs of declarations that must have the same name. Reason: a closed loop connects inputs and outputs of
+    /// controllers by name, and a fault inherits arguments of its instance by the names of parameters.
     std::vector<std::pair<Span, Span>> shared = {};
 };
 
-/// Returns the name of the declaration of which `name` is a copy: `B` for `B[3]`.
+/// Returns the name of the original declaration for the name of a copy: `B` for `B[3]`.
 inline std::string_view without_indices(std::string_view name) { return name.substr(0, name.find('[')); }
 
-/// Records in `References` if there are any. The resolution beyond errors has no other purpose than the record: its
-/// diagnostics and its result are meaningless.
+/// Adds declarations and references to a `References` object, if one is given. If `beyond_errors` is true, name
+/// resolution continues after errors only to record references, and its diagnostics and its result are meaningless.
 class Recorder {
 public:
     Recorder() = default;
@@ -81,9 +81,9 @@ public:
         : references_(references), beyond_errors_(beyond_errors) {}
 
     bool beyond_errors() const { return beyond_errors_; }
-    /// True if there is a record.
+    /// True if names are recorded.
     bool is_recording() const { return references_ != nullptr; }
-    /// Returns a recorder without a record.
+    /// Returns a recorder that records nothing.
     Recorder silent() const { return Recorder(nullptr, beyond_errors_); }
 
     void declare(DeclarationKind kind, std::string_view name, Span where, Span whole, Span owner = {},
@@ -115,7 +115,8 @@ private:
     bool beyond_errors_ = false;
 };
 
-/// Returns the position of `name` without its indices at the end of `where`: that of `X2` in `G2.X2`.
+/// Returns the position of `name`, without its indices, at the end of `where`; for example, the position of `X2` in
+/// `G2.X2`.
 inline Span last_name(Span where, std::string_view name) {
     name = without_indices(name);
     const auto length = static_cast<std::uint32_t>(std::min<std::size_t>(name.size(), where.end - where.begin));

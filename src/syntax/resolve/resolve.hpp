@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// resolve: converts a tree to a Chart, Component or ClosedLoop. Replaces names by ids, computes types of expressions,
-// and checks the rules of GRAFCET and of the language, each with a separate diagnostic.
+// resolve: converts a syntax tree to a Chart, Component or ClosedLoop. Replaces names by ids, computes types of
+// expressions, and checks the rules of GRAFCET and of the language. Each rule has its own diagnostic.
 //
 // Charts and components are resolved independently. A closed loop is resolved against the charts and components of its
 // model. A closed loop refers to charts and components by name, so that they may come from other files.
@@ -25,12 +25,12 @@
 namespace grafverif {
 
 // All functions add the declarations and references of the tree to `record`. They add the number of elements in copies
-// of replicated declarations to `copied`, which is limited (see `largest_expansion`). Beyond errors, charts and
-// components lack their parts with errors instead of being empty.
+// of replicated declarations to `copied`; this number is limited (see `largest_expansion`). If the resolution continues
+// after errors (see Recorder), the result lacks only the parts with errors instead of being empty.
 
-/// Resolves a chart; empty after at least one error. The result also represents constructs that a later stage rejects.
-/// The chart can contain instances of `charts`, which must have been resolved before. If `instance` is not null, the
-/// result is this instance of the chart.
+/// Resolves a chart. The result is empty after at least one error. It can contain constructs that a later stage
+/// rejects. The chart can contain instances of `charts`, which must have been resolved before. If `instance` is not
+/// null, the result is this instance of the chart.
 std::optional<Chart> resolve_chart(const tree::File& file, const tree::Chart& written, Diagnostics& diagnostics,
                                    Recorder record = {}, std::uint64_t* copied = nullptr,
                                    const WrittenCharts* charts = nullptr, ChartInstance* instance = nullptr);
@@ -41,23 +41,25 @@ std::optional<Component> resolve_component(const tree::File& file, const tree::C
                                            Diagnostics& diagnostics, Recorder record = {},
                                            std::uint64_t* copied = nullptr);
 
-/// Returns the first line of the comment directly above a declaration, if no blank line separates them.
+/// Returns the first line of the comment directly above a declaration; empty if a blank line separates them or if there
+/// is no comment.
 std::string summary(const tree::File& file, Span declaration);
 
 DeclarationKind declaration_kind(Chart::VariableKind kind);
 
-/// Charts and components to which a closed loop can refer. Instances of charts are added to the model. Charts and
-/// components with errors are known by name, so that references to them cause no further errors.
+/// Charts and components to which a closed loop can refer. Instances of charts are added to the model. The names of
+/// charts and components with errors are also known, so that references to these elements cause no further errors.
 struct LoopContext {
     Model& model;
     const WrittenCharts& charts;
     std::unordered_set<std::string> components_in_error = {};
-    std::vector<std::string> component_names = {};  ///< all available names; used for suggestions
+    std::vector<std::string> component_names = {};  ///< names of all components, for suggestions
     /// Values of constants that the user has set. They override the values in the loop.
     std::map<std::string, std::string, std::less<>> constants = {};
 };
 
-/// Resolves a closed loop; empty after at least one error, possibly in a chart or component to which the loop refers.
+/// Resolves a closed loop. The result is empty after at least one error in the loop or in a chart or component to which
+/// the loop refers.
 std::optional<ClosedLoop> resolve_loop(const tree::File& file, const tree::ClosedLoop& written,
                                        const LoopContext& context, Diagnostics& diagnostics, Recorder record = {},
                                        std::uint64_t* copied = nullptr);

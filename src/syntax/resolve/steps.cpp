@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Resolves the steps and partial charts of a chart, and determines which macro-step or enclosing step owns which
-// partial chart.
+// Resolves the steps and partial charts of a chart, and determines the owner of each partial chart: a macro-step or an
+// enclosing step.
 #include <algorithm>
 
 #include "support/messages.hpp"
@@ -82,7 +82,7 @@ void declare_items(ChartScope& scope, const std::vector<tree::ChartItem>& items,
                            all.transitions.push_back({&transition, partial});
                        },
                        [&](const tree::Partial& inner) { declare_partial(scope, inner, all); },
-                       [](const tree::ReplicatedChartItems&) {},  // expanded before
+                       [](const tree::ReplicatedChartItems&) {},  // already expanded
                    },
                    item);
     }
@@ -123,7 +123,7 @@ void resolve_contents(ChartScope& scope, const WrittenStep& written) {
     }
 }
 
-/// Reports `entry`, `exit` and `linked` at steps where these keywords have no meaning.
+/// Reports the keywords `entry`, `exit` and `linked` at steps for which they have no meaning.
 void check_marks(ChartScope& scope, const WrittenStep& written) {
     const Chart::Step& step = scope.chart.steps[written.id];
     const Chart::PartialKind kind = scope.chart.partial_charts[step.chart].kind;

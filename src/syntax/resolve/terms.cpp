@@ -33,14 +33,14 @@ Op ir_op(tree::Op op) {
     case tree::Op::In: return Op::Variable;
     case tree::Op::All:
     case tree::Op::Any:
-    case tree::Op::Each: break;  // expanded before
+    case tree::Op::Each: break;  // already expanded
     case tree::Op::Not: return Op::Not;
     case tree::Op::Rise: return Op::Rise;
     case tree::Op::Fall: return Op::Fall;
     case tree::Op::Negate: return Op::Negate;
     case tree::Op::And: return Op::And;
     case tree::Op::Or: return Op::Or;
-    case tree::Op::Implies: return Op::Or;  // applied to the negated premise by Terms::implication
+    case tree::Op::Implies: return Op::Or;  // Terms::implication negates the premise
     case tree::Op::Equal: return Op::Equal;
     case tree::Op::NotEqual: return Op::NotEqual;
     case tree::Op::Less: return Op::Less;
@@ -131,7 +131,7 @@ Term Terms::resolve(Id<tree::Expr> id) {
     case tree::Op::In: return place(node);
     case tree::Op::All:
     case tree::Op::Any:
-    case tree::Op::Each: break;  // expanded before
+    case tree::Op::Each: break;  // already expanded
     case tree::Op::Not: return boolean_operand(node, Op::Not);
     case tree::Op::Rise: return boolean_operand(node, Op::Rise);
     case tree::Op::Fall: return boolean_operand(node, Op::Fall);
@@ -221,7 +221,7 @@ Term Terms::junction(const tree::Expr& written) {
             TermKind::Boolean};
 }
 
-/// Resolves a location test, which is allowed only in properties.
+/// Resolves a location test such as `Gate in open`, which is allowed only in properties.
 Term Terms::place(const tree::Expr& written) {
     if (places_allowed) return name(written);
     diagnostics_->add(messages::place_outside_property(written.where));

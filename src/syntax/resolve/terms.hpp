@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Terms: translates expressions of the tree to typed terms of an IR. Callbacks of the owner resolve names and may
-// handle some operators. The typing rules are the same for charts, components and properties.
+// Terms: translates expressions of the syntax tree to typed terms of an intermediate representation. Callbacks of the
+// caller resolve names and may handle some operators. The typing rules are the same for charts, components and
+// properties.
 #pragma once
 
 #include <cstdint>
@@ -32,15 +33,15 @@ public:
 
     /// Resolves a Name or Member node.
     std::function<Term(const tree::Expr&)> name = {};
-    /// Handles operators with special rules of the owner. If the result is empty, the common rules apply.
+    /// Handles operators for which the caller has special rules. If the result is empty, the common rules apply.
     std::function<std::optional<Term>(const tree::Expr&)> special = {};
     bool edges_allowed = false;
     bool places_allowed = false;  ///< true if `Gate in open` is allowed; `name` resolves it
 
     Term resolve(Id<tree::Expr> node);
-    /// Resolves to a term of type `kind`; invalid after an error, whose message names `user`.
+    /// Resolves `node` to a term of type `kind`; invalid after an error. `user` describes the term in messages.
     Id<Expr> resolve(Id<tree::Expr> node, TermKind kind, std::string_view user);
-    /// Returns the value of a term without variables.
+    /// Returns the value of a term without variables; empty after an error.
     std::optional<std::int64_t> constant(Id<tree::Expr> node, TermKind kind, std::string_view user);
 
     const tree::Expr& node(Id<tree::Expr> id) const { return file_->exprs[id]; }
@@ -64,8 +65,7 @@ private:
 
 /// A time condition written as divisions (IEC 60848): `t1/v/t2`, `t1/v`, `v/t2`.
 struct WrittenTime {
-    Id<tree::Expr> rise = {}, watched = {},
-                   fall = {};  ///< `watched` is invalid if the division is not a time condition
+    Id<tree::Expr> rise = {}, watched = {}, fall = {};  ///< `watched`: invalid if the division is not a time condition
 };
 WrittenTime written_time(const tree::File& file, const tree::Expr& node);
 /// Returns the value of a duration in milliseconds; 0 if the duration is omitted. Reports a duration of zero.
@@ -76,7 +76,7 @@ std::int64_t milliseconds(const tree::File& file, Id<tree::Expr> duration, Diagn
 inline bool is_step_member(std::string_view name) { return name == "T" || name == "t" || name == "X" || name == "x"; }
 
 Op ir_op(tree::Op op);
-/// Returns the spelling of an operator in messages: `&&`, `rise`, ...
+/// Returns the spelling of an operator in the input language, such as `&&` or `rise`.
 std::string_view spelling(tree::Op op);
 
 }  // namespace grafverif

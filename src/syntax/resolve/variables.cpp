@@ -17,12 +17,12 @@ Chart::VariableKind kind_of(tree::VariableKind kind) {
     case tree::VariableKind::Output: return Chart::VariableKind::Output;
     case tree::VariableKind::Internal: return Chart::VariableKind::Internal;
     case tree::VariableKind::Own:
-    case tree::VariableKind::Constant: break;  // the grammar of charts excludes these types
+    case tree::VariableKind::Constant: break;  // the grammar excludes these types in charts
     }
     unreachable();
 }
 
-/// Returns the declared type; Boolean after an error.
+/// Returns the declared type of a variable; Boolean after an error.
 Type type_of(ChartScope& scope, const tree::Variable& written) {
     Terms terms = constant_terms(scope, "a range or value of a declaration");
     switch (written.type) {
@@ -123,7 +123,8 @@ void resolve_variables(ChartScope& scope, const tree::Variables& written) {
 
 namespace {
 
-/// Reports that the variable of a port is unknown, and declares it, so that terms with it are not further errors.
+/// Reports that the variable that is bound to a port is unknown. Declares the variable, so that terms that read it
+/// cause no further errors.
 void report_unknown(ChartScope& scope, tree::VariableKind kind, const tree::Variable& port) {
     const std::string_view name = scope.text(port.name);
     const auto steps = name[0] == 'X' ? scope.steps_by_name.find(name.substr(1)) : scope.steps_by_name.end();
@@ -151,7 +152,7 @@ void report_unknown(ChartScope& scope, tree::VariableKind kind, const tree::Vari
 void check_port(ChartScope& scope, tree::VariableKind kind, const tree::Variable& port) {
     const Span where = port.name.where;
     const bool writes = kind == tree::VariableKind::Output;
-    if (port.value.valid()) {  // a step variable
+    if (port.value.valid()) {  // a step variable is bound to the port
         if (writes) return scope.diagnostics.add(messages::output_not_a_name(where, scope.text(port.name)));
         terms_of(scope).resolve(port.value, TermKind::Boolean, "a port");
         if (port.type == tree::TypeWord::Int)

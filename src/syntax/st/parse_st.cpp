@@ -9,7 +9,7 @@ namespace grafverif::st {
 
 namespace {
 
-/// Parses `text` and adds the result to `file`. Returns true if `text` has no error.
+/// Parses `text` from the start symbol `goal`, and adds the result to `file`. Returns true if `text` has no error.
 bool parsed(Builder& build, const Text& text, Parser::token_kind_type goal, File& file, const Sources& sources,
             Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();

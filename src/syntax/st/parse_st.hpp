@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// parse_st: converts Structured Text and textual Sequential Function Charts to the st tree. The grammar is
-// grammars/st.yy; grammars/st.ll defines the tokens. The results are added to a file, so that all texts of one XML
-// document share their names.
+// parse_st: converts Structured Text and textual Sequential Function Charts to the syntax tree of st_tree.hpp. The
+// grammar is grammars/st.yy; grammars/st.ll defines the tokens. All functions add their results to an st::File, so that
+// all texts of one XML document use the same table of names.
 #pragma once
 
 #include <optional>
@@ -18,19 +18,20 @@ struct Piece {
     Span where = {};
     bool escaped = false;
 };
-/// A text in pieces, for example the paragraphs of an XML element.
+/// A text that consists of several parts of sources, for example the paragraphs of an XML element.
 using Text = std::vector<Piece>;
 
-/// Parses an expression; empty after at least one error.
+/// Parses an expression. The result is empty after at least one error.
 std::optional<Id<Expr>> parse_expression(const Text& text, File& file, const Sources& sources,
                                          Diagnostics& diagnostics);
 std::optional<Block> parse_statements(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics);
 /// Parses the programs, function blocks, functions and global variables of a text file. Returns false after an error.
 bool parse_units(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics);
-/// Same as `parse_units`, but also parses types and configurations, for programs that are executed. Returns false after
-/// an error.
+/// Same as `parse_units`, but also parses types and configurations. Used for programs that grafverif executes. Returns
+/// false after an error.
 bool parse_programs(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics);
-/// Parses an expression that may also contain the operators `! && || == !=`; empty after at least one error.
+/// Parses an expression of a property, which may also contain the operators `! && || == !=`. The result is empty after
+/// at least one error.
 std::optional<Id<Expr>> parse_property(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics);
 
 }  // namespace grafverif::st

@@ -40,7 +40,8 @@ void Builder::structure(Name name, std::vector<Variable> members, Span where) {
     file_->types.push_back({name, {}, {}, true, where, std::move(members)});
 }
 
-/// Returns the type of an array. If a range is not written as `LOW..HIGH`, the bounds of its dimension are invalid.
+/// Returns the type of an array with one dimension per range. If a range is not written as `LOW..HIGH`, the bounds of
+/// its dimension are invalid.
 Type Builder::array(const std::vector<Id<Expr>>& ranges, Type element) const {
     element.composite = true;
     std::vector<std::array<Id<Expr>, 2>> dimensions;
@@ -107,7 +108,8 @@ void Builder::action(Unit& unit, Name name, Block body, Span begin, Span end) co
     unit.actions.push_back({name, std::move(body), false, joined(begin, name.where), joined(begin, end)});
 }
 
-/// Builds `NAME (QUALIFIER, TIME, INDICATORS)`. The grammar parses the qualifier as a name. The default qualifier is N.
+/// Builds an action block `NAME (QUALIFIER, TIME, INDICATORS)`. The grammar parses the qualifier as a name. The default
+/// qualifier is N.
 Association Builder::association(Name action, std::vector<Id<Expr>> arguments, Span where) {
     Association association;
     association.action = action;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// st::Builder: semantic actions of grammars/st.yy. The builder adds expressions and statements to the tables of the
-// file, and units to the list of the file.
+// st::Builder: semantic actions of grammars/st.yy. The builder adds expressions, statements and units to an st::File.
 #pragma once
 
 #include <array>
@@ -41,7 +40,7 @@ public:
     std::vector<Variable> variables(std::vector<Name> names, std::string address, Type type, Id<Expr> initial,
                                     Span where) const;
     void add_variables(Unit& unit, std::vector<Variable> variables) const;
-    /// `begin` and `end` are the positions of the first and of the last keyword.
+    /// Adds a step to a unit. `begin` and `end` are the positions of the first and the last keyword of the step.
     void step(Unit& unit, bool initial, Name name, std::vector<Association> actions, Span begin, Span end) const;
     void transition(Unit& unit, Transition transition) const;
     void action(Unit& unit, Name name, Block body, Span begin, Span end) const;

@@ -19,7 +19,7 @@ namespace grafverif::st {
 
 namespace {
 
-// Computes the values of literals of IEC 61131-3.
+// The following functions compute the values of literals of IEC 61131-3.
 
 constexpr std::int64_t longest = std::int64_t{1} << 40U;  ///< maximum duration in milliseconds
 
@@ -39,7 +39,7 @@ std::string without_underscores(std::string_view digits) {
     return kept;
 }
 
-/// Returns the value of an integer such as `1_000`, or nothing if the integer is too large.
+/// Returns the value of an integer such as `1_000`, or nullopt if the integer is too large.
 std::optional<std::int64_t> integer_of(std::string_view digits, int base) {
     const std::string kept = without_underscores(digits);
     std::int64_t value = 0;
@@ -48,8 +48,8 @@ std::optional<std::int64_t> integer_of(std::string_view digits, int base) {
     return value;
 }
 
-/// Removes the first component of a duration, such as `30m`, from `rest`. Returns the value of this component in
-/// microseconds.
+/// Removes the first part of a duration, such as `30m`, from `rest`. Returns the value of this part in microseconds;
+/// empty if the part is invalid.
 std::optional<std::int64_t> part_of(std::string_view& rest) {
     std::size_t end = 0;
     while (end < rest.size() && is_digit(rest[end])) ++end;
@@ -116,7 +116,8 @@ bool is_operator(Parser::symbol_kind_type symbol) {
            symbol == Symbols::S_OPEN;
 }
 
-/// Describes the tokens that are allowed at a position. Tokens of one group, such as expressions, are named together.
+/// Describes the tokens that are allowed at a position. A group of tokens, such as the tokens that begin an expression,
+/// is described by one name.
 std::string expectation(std::span<const Parser::symbol_kind_type> expected) {
     const auto has = [&](Parser::symbol_kind_type symbol) {
         return std::ranges::find(expected, symbol) != expected.end();
@@ -154,7 +155,7 @@ Token Lexer::next() {
         return {goal_, here_};
     }
     if (too_deep_ || ended_ || !scanner_) return {Parser::token::END, Span{here_.source, here_.end, here_.end}};
-    auto passing = Symbols::S_YYEMPTY;  // end keyword of a skipped section; charts do not need types and configurations
+    auto passing = Symbols::S_YYEMPTY;  // end keyword of the skipped section TYPE or CONFIGURATION
     for (;;) {
         Token token = scanner_->next(*this);
         const auto kind = token.kind();
@@ -234,7 +235,7 @@ bool Lexer::nests_too_deep(Kind kind) {
     return true;
 }
 
-/// Returns an error token. The text after this token is skipped.
+/// Returns an error token after nesting that is too deep. The lexer ignores the remaining text.
 Token Lexer::failed() {
     too_deep_ = true;
     return Parser::make_YYerror(here_);
@@ -291,8 +292,8 @@ Token Lexer::integer(std::string_view digits, int base) {
     return {Parser::token::INTEGER, value.value_or(0), here_};
 }
 
-/// Reads a literal with the name of an integer or bit string type, such as `INT#5` or `BYTE#-1`, or of a duration.
-/// Literals with other type names are unsupported.
+/// Reads a literal with a type name: an integer or bit string type, such as `INT#5` or `BYTE#-1`, or a duration.
+/// Literals with other type names are not supported.
 Token Lexer::typed_integer(std::string_view match) {
     const std::size_t hash = match.find('#');
     const std::string type = capitals(match.substr(0, hash));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// st::Lexer: returns the tokens of a text in pieces, with their source positions, to the parser. In an XML piece,
-// character references (`&lt;`, `&#10;`) are replaced first; positions remain those of the source.
+// st::Lexer: returns the tokens of a text, with their source positions, to the parser. The text consists of pieces. In
+// a piece of XML, the lexer replaces character references (`&lt;`, `&#10;`) first; the positions are those in the
+// original source.
 #pragma once
 
 #include <cstddef>
@@ -37,8 +38,8 @@ public:
     using Token = Parser::symbol_type;
     using Kind = Parser::token_kind_type;
 
-    /// Creates a lexer whose first token is `goal`, which selects the start symbol of the parser. If the start symbol
-    /// is not a unit or chart, keywords of units and charts are names.
+    /// Creates a lexer. Its first token is `goal`, which selects the start symbol of the parser. Unless `goal` selects
+    /// units or programs, keywords of units and charts are treated as names.
     Lexer(const Text& text, Kind goal, File& file, const Sources& sources, Diagnostics& diagnostics);
 
     Token next();
@@ -48,9 +49,10 @@ public:
     void advance(std::size_t length);
     void comment(std::string_view match);
     Token sign(Kind kind);
-    /// Returns the token of a C operator, such as `&&`. Operators of C are allowed only in properties.
+    /// Returns the token of a C operator, such as `&&`. C operators are allowed in properties; in programs, only `==`
+    /// and `!=` are accepted, with a warning.
     Token c_sign(Kind kind, std::string_view match);
-    /// Returns the token of a word that is not part of the standard, with a warning.
+    /// Returns the token of a word that is not part of the standard, and adds a warning.
     Token extension(Kind kind, std::string_view match, std::string_view meaning);
     Token type_word(Kind kind, std::string_view match);
     Token configuration_word(Kind kind, std::string_view match);
@@ -76,9 +78,9 @@ private:
     std::vector<std::uint32_t> origins_ = {};  ///< source position of each byte of `decoded_`; empty if these
                                                ///< positions are consecutive
     std::uint32_t base_ = 0;                   ///< source position of the piece if `origins_` is empty
-    std::uint32_t at_ = 0;                     ///< offset in the piece after the last match
+    std::uint32_t at_ = 0;                     ///< offset of the end of the last match in the piece
     bool units_ = false;
-    Kind section_ = Parser::token::END;  ///< section TYPE or CONFIGURATION that is open, if the parser reads it
+    Kind section_ = Parser::token::END;  ///< the open section, TYPE or CONFIGURATION; END if none
     bool started_ = false, ended_ = false;
     Kind goal_;
     File* file_;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // st_tree: abstract syntax of Structured Text and of textual Sequential Function Charts (IEC 61131-3), before name
-// resolution. The importers use this tree, and tests parse exported text to it.
+// resolution. The importers use this tree. Tests also use it to parse exported text.
 //
 // Names are case-insensitive. Two names in one file are equal if and only if their word ids are equal. A word is
-// displayed as spelt at its first occurrence. Expressions and statements are stored in flat tables, and operands are
-// linked as siblings.
+// displayed as spelt at its first occurrence. Expressions and statements are stored in flat tables. The operands of an
+// expression form a linked list.
 #pragma once
 
 #include <array>
@@ -78,7 +78,7 @@ struct Expr {
 struct Statement;
 using Block = std::vector<Id<Statement>>;
 
-/// `IF`, `ELSIF` or a label of `CASE`, with its statements. `ELSE` has no conditions.
+/// A branch of a statement: `IF`, `ELSIF`, `ELSE` or a label of `CASE`, with its statements. `ELSE` has no conditions.
 struct Branch {
     std::vector<Id<Expr>> conditions = {};
     Block body = {};
@@ -89,29 +89,29 @@ enum class StatementKind : std::uint8_t { Assign, Call, If, Case, For, While, Re
 
 struct Statement {
     StatementKind kind = StatementKind::Return;
-    Id<Expr> target = {};  ///< target of Assign
-    Id<Expr> value = {};   ///< Assign: the value; Call: the call; Case: the selector; While, Repeat: the condition
+    Id<Expr> target = {};               ///< target of Assign
+    Id<Expr> value = {};                ///< Assign: value; Call: call; Case: selector; While, Repeat: condition
     std::vector<Branch> branches = {};  ///< branches of If and Case, or the body of a loop
     Span where = {};
-    /// For, whose variable is `target`: first value, last value, step (may be invalid).
+    /// For a statement For, whose variable is `target`: first value, last value, step (may be invalid).
     std::array<Id<Expr>, 3> range = {};
 };
 
 struct Comment {
-    std::string text = {};  ///< text including its delimiters
+    std::string text = {};  ///< text of the comment, including its delimiters
     Span where = {};
 };
 
 enum class Section : std::uint8_t { Input, Output, InOut, Local, External, Global, Temporary };
 
-/// A type such as `INT`, `INT (0..10)`, `(RED, GREEN)`. `composite` is true for an array, a pointer, a structure or an
-/// enumeration.
+/// A type such as `INT`, `INT (0..10)` or `(RED, GREEN)`. `composite` is true for an array, a pointer, a structure or
+/// an enumeration.
 struct Type {
     Name name = {};
     Id<Expr> low = {}, high = {};
     bool composite = false;
     std::vector<Name> values = {};  ///< values of an enumeration; `name` is the name of the first value
-    /// First and last index of each dimension of an array, whose elements have the type `name`.
+    /// For an array: first and last index of each dimension. The elements have the type `name`.
     std::vector<std::array<Id<Expr>, 2>> dimensions = {};
 };
 
@@ -128,7 +128,7 @@ struct Variable {
     Type type = {};
     Id<Expr> initial = {};
     std::string address = {};  ///< `%IX0.0`, or empty
-    std::string comment = {};  ///< plain text
+    std::string comment = {};  ///< text without delimiters
     Span where = {};
 };
 
@@ -139,7 +139,7 @@ struct TypeDeclaration {
     Id<Expr> initial = {};
     bool structure = false;
     Span where = {};
-    std::vector<Variable> members = {};  ///< members of a structure; otherwise empty
+    std::vector<Variable> members = {};  ///< members of a structure; empty for other types
 };
 
 struct Task {
@@ -160,12 +160,12 @@ struct Instance {
 /// An action block: `NAME (QUALIFIER, TIME);` in a step.
 struct Association {
     Name action = {};             ///< an action or a Boolean variable; invalid if `body` contains the statements
-    Id<Expr> path = {};           ///< in CODESYS: `action` as an expression, which may name an instance
+    Id<Expr> path = {};           ///< in CODESYS: the action as an expression, which may name an instance
     std::string qualifier = "N";  ///< in capitals
     Id<Expr> time = {};
     Block body = {};
     Span where = {};
-    bool unread = false;  ///< true if further arguments or an indicator variable exist, which are not read
+    bool unread = false;  ///< true if the file has further arguments, which are ignored
 };
 
 struct Step {
@@ -175,12 +175,13 @@ struct Step {
     std::string comment = {};
     Span where = {};  ///< from the keyword to the name
     Span whole = {};  ///< from the keyword to END_STEP; without source in a drawing
-    /// In CODESYS: the actions on activation, while the step is active, and on deactivation. These actions can be
-    /// actions of instances.
+    /// In CODESYS: the actions on activation (`entry`), while the step is active (`active`), and on deactivation
+    /// (`exit`). They can be actions of instances.
     Id<Expr> entry = {}, active = {}, exit = {};
 };
 
-/// If several transitions leave one step, they are evaluated in the order of `priority`, then of position.
+/// A transition. If several transitions leave one step, the controller evaluates them in the order of `priority`;
+/// transitions with equal priority are evaluated in the order of their positions.
 struct Transition {
     Name name = {};             ///< invalid if omitted
     std::int64_t priority = 0;  ///< 0 if omitted
@@ -190,17 +191,17 @@ struct Transition {
     Span where = {};
 };
 
-/// The use of the implicit variables by which CODESYS controls a chart. `init`, `reset` and `pause` are true if the
-/// settings of the chart use SFCInit, SFCReset and SFCPause.
+/// Settings of a chart in CODESYS: the implicit variables that control the chart. `init`, `reset` and `pause` are true
+/// if the chart uses SFCInit, SFCReset and SFCPause.
 struct ChartFlags {
-    bool stated = false;  ///< true if the file contains the settings
+    bool stated = false;  ///< true if the file contains settings
     bool init = false, reset = false, pause = false;
-    std::string others = {};  ///< the name of another flag that is used, or empty
+    std::string others = {};  ///< name of another implicit variable in use, or empty
 };
 
 /// The steps and transitions of a chart, or of the expansion of a macro-step.
 struct Network {
-    Name macro_step = {};  ///< step of which this network is the expansion; invalid for the chart
+    Name macro_step = {};  ///< macro-step of which this network is the expansion; invalid for the chart itself
     std::vector<Step> steps = {};
     std::vector<Transition> transitions = {};
     Span where = {};
@@ -222,7 +223,7 @@ struct Unit {
     UnitKind kind = UnitKind::Program;
     Name name = {};
     std::vector<Variable> variables = {};
-    std::vector<Network> networks = {};  ///< the chart, followed by expansions; empty if the body is not a chart
+    std::vector<Network> networks = {};  ///< the chart and its macro expansions; empty if the body is not a chart
     std::vector<Action> actions = {};
     Block body = {};   ///< statements in Structured Text outside of a chart
     Type result = {};  ///< return type of a function
@@ -230,7 +231,7 @@ struct Unit {
     Span where = {};
 };
 
-/// The rules for the execution of charts and the visibility of variables.
+/// Selects the rules for the execution of charts and for the visibility of variables.
 enum class Dialect : std::uint8_t { Standard, Codesys };
 
 struct File {
@@ -241,7 +242,7 @@ struct File {
     Table<Expr> exprs = {};
     Table<Statement> statements = {};
     std::vector<Variable> globals = {};
-    std::vector<Name> global_lists = {};  ///< names of the lists in `globals`, which can qualify the variables
+    std::vector<Name> global_lists = {};  ///< names of the lists in `globals`, which can qualify variables
     std::vector<Unit> units = {};
     std::vector<TypeDeclaration> types = {};
     std::vector<Task> tasks = {};
@@ -253,7 +254,7 @@ struct File {
     std::string_view text(Name name) const { return words[name.word].text; }
 };
 
-/// Returns the upper-case form, which is used for the comparison of names and keywords.
+/// Returns the upper-case form of a name or keyword, which is used for comparisons.
 std::string capitals(std::string_view text);
 
 void append(Table<Expr>& exprs, Id<Expr> node, Id<Expr> operand);
