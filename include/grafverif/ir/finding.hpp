@@ -42,11 +42,11 @@ struct Finding {
         bool operator==(const Related&) const = default;
     };
 
-    std::string code = {};  ///< code such as `step-never-active`
+    std::string code = {};  ///< finding code, such as `step-never-active`
     Level level = Level::Warning;
     /// Subject that `accept` can name, such as `X4`, `t3` or `LOCK`; empty if the finding concerns the complete chart.
     std::string subject = {};
-    std::string message = {};  ///< text as in a diagnostic
+    std::string message = {};  ///< text in the form of a diagnostic message
     Span origin = {};
     std::vector<Related> related = {};
     std::vector<std::string> lost = {};  ///< steps, transitions and variables that are never used again, in this order
@@ -92,7 +92,7 @@ struct Analysis {
     std::size_t instants = 0;  ///< number of input changes to the farthest explored situation
     double seconds = 0;
     std::uint64_t bytes = 0;
-    std::vector<std::string> failures = {};  ///< internal errors: evidence that fails the replay
+    std::vector<std::string> failures = {};  ///< internal errors: evidence that the replay does not confirm
 
     bool operator==(const Analysis&) const = default;
 };

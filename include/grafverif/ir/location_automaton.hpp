@@ -3,8 +3,8 @@
 //
 //   location    situation and stored variables; with stability search, only reachable stable situations
 //   evolution   a change from one location to another, with a condition on the inputs. The conditions of one location
-//               are mutually exclusive (JESA13 (7)); if no condition of an evolution or instability holds, the
-//               controller stays (8)
+//               are mutually exclusive (JESA13, equation (7)). If no condition of an evolution or instability holds,
+//               the controller stays in the location (JESA13, equation (8)).
 //   INIT        the controller after power-on, before its first cycle. The first evolution activates the initial steps
 //               and clears no transition; with stability search, the first cycle continues until the situation is
 //               stable.

@@ -79,7 +79,7 @@ struct Network {
     };
     struct ClockConstraint {
         Id<Clock> clock = {};
-        Op relation = Op::LessEqual;  ///< Less, LessEqual, Equal, GreaterEqual, Greater
+        Op relation = Op::LessEqual;  ///< one of Less, LessEqual, Equal, GreaterEqual and Greater
         Id<Expr> bound = {};          ///< term over constants and Constant parameters, in time units
         bool operator==(const ClockConstraint&) const = default;
     };
@@ -120,7 +120,7 @@ struct Network {
         Table<Parameter> parameters = {};
         Table<Clock> clocks = {};
         Table<Location> locations = {};
-        Id<Location> initial = {};  ///< initial location of processes that do not override it
+        Id<Location> initial = {};  ///< initial location of each process that does not override it
         Table<Procedure> procedures = {};
         Table<Edge> edges = {};
         Span origin = {};
@@ -133,7 +133,7 @@ struct Network {
         std::string name = {};
         Id<Template> automaton = {};
         std::vector<Argument> arguments = {};
-        Id<Location> initial = {};  ///< location of the template
+        Id<Location> initial = {};  ///< initial location, as an index in the template
         ProcessKind kind = ProcessKind::Plant;
         Span origin = {};
         bool operator==(const Process&) const = default;
@@ -177,9 +177,9 @@ struct Network {
     Table<Process> processes = {};
     Table<Controller> controllers = {};
     Table<Property> properties = {};
-    /// Condition for a quiescent state, over variables and At. In a quiescent state, every controller is in W and
-    /// stable, and no process other than a controller has an enabled urgent edge. No controller has an unprocessed
-    /// change of the plant or of a timer (EVOL_PL, EVOL_TI), and no timer request is pending.
+    /// Condition for a quiescent state, over variables and At. In a quiescent state, every controller is stable and in
+    /// its location W (`waiting`), and no process other than a controller has an enabled urgent edge. No controller has
+    /// an unprocessed change of the plant or of a timer (EVOL_PL, EVOL_TI), and no timer request is pending.
     Id<Expr> settled = {};
     /// Flag that is set when two stored actions have written different values (race); invalid if a race is impossible.
     Id<Variable> race = {};
@@ -202,7 +202,7 @@ std::int64_t bound_value(const Network& network, const Network::Process& process
 bool keeps_target_invariant(const Network& network, const Network::Process& process, const Network::Edge& edge);
 
 /// Returns an equivalent network with one template per process and without parameters. Indices of processes and
-/// locations are unchanged, so the properties remain valid.
+/// locations are unchanged, so the properties of `network` remain valid for the result.
 Network expand(const Network& network);
 
 }  // namespace grafverif

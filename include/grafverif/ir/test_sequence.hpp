@@ -68,7 +68,7 @@ struct TestSequence {
     std::string chart = {};
     ExecutionMode mode = ExecutionMode::StabilitySearch;
     TestCover cover = TestCover::Transitions;
-    bool one_cycle_each = false;  ///< `--hold one`
+    bool one_cycle_each = false;  ///< true if each step is applied for one cycle (option `--hold one`)
     std::vector<Variable> inputs = {}, outputs = {};
     Table<Situation> situations = {};
     std::vector<Sequence> sequences = {};

@@ -90,7 +90,7 @@ struct TransitionSystem {
     struct Instance {
         std::string name = {};
         Id<Module> module = {};
-        std::vector<Id<Symbol>> arguments = {};  ///< arguments, which are symbols of main
+        std::vector<Id<Symbol>> arguments = {};  ///< arguments for the parameters of the module: symbols of main
         bool operator==(const Instance&) const = default;
     };
 
@@ -98,7 +98,7 @@ struct TransitionSystem {
     struct Omitted {
         Property property = {};  ///< the property, without operands
         std::string reason = {};
-        std::size_t before = 0;  ///< index of the property of the system before which the omitted property is declared
+        std::size_t before = 0;  ///< position of the omitted property: index of the next property in `properties`
         bool operator==(const Omitted&) const = default;
     };
 

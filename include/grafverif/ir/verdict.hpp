@@ -92,9 +92,9 @@ struct Verdict {
     std::optional<std::uint64_t> transitions = {};
     double seconds = 0;
     SearchScope scope = {};
-    /// The input abstraction that was used, if any; then `run` is not necessarily a shortest run.
+    /// The input abstraction of the verdict, if one was used. In this case, `run` is not necessarily a shortest run.
     std::optional<InputsAbstracted> abstraction = {};
-    std::optional<Run> run = {};  ///< counterexample, or witness of a `reachable` that holds
+    std::optional<Run> run = {};  ///< counterexample, or witness of a `reachable` property that holds
     Span origin = {};             ///< position of the property
 
     bool operator==(const Verdict&) const = default;
