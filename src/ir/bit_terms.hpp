@@ -92,8 +92,7 @@ BitTerm<Bit> conditional(const BitTerm<Bit>& condition, const BitTerm<Bit>& then
 template <class Bit>
 class BitTerms {
 public:
-    /// `leaf` translates a leaf (is_leaf; not an edge). `exprs`, and all objects that `leaf` uses, must outlive this
-    /// object.
+    /// `leaf` translates a leaf (see is_leaf). `exprs`, and all objects that `leaf` uses, must outlive this object.
     BitTerms(const Exprs& exprs, std::function<BitTerm<Bit>(const Expr&)> leaf)
         : exprs_(exprs), leaf_(std::move(leaf)) {}
 

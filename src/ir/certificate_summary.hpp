@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// CertificateSummary: the verdicts that a certificate proves, and how (docs/how-to/certificates.md).
+// CertificateSummary: the verdicts that a certificate proves, and the type of each proof (docs/how-to/certificates.md).
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,8 @@
 
 namespace grafverif {
 
-/// What proves a verdict. WitnessCircuit: the circuit of an inductive invariant of an untimed model.
+/// Type of a proof of a verdict. States: an inductive set of states. Run: one run. WitnessCircuit: the circuit of an
+/// inductive invariant of an untimed model.
 enum class CertificateKind : std::uint8_t { States, Run, WitnessCircuit };
 
 constexpr std::string_view word(CertificateKind kind) {

@@ -50,8 +50,8 @@ namespace grafverif {
 
 enum class InputLevel : std::uint8_t { Chosen, Untimed, Paced, Complete };
 
-/// Premises of the input abstraction. If a member is true, the premise is dropped, so that tests can show that the
-/// premise is necessary.
+/// Ablations of the premises of the input abstraction. If a member is true, one premise is dropped, so that tests can
+/// show that this premise is necessary.
 struct InputAblations {
     bool no_cycle_on_change = false;  ///< a change of a Chosen instance does not begin a cycle
     bool initial_values = false;      ///< Chosen instances keep their initial outputs
@@ -107,7 +107,7 @@ std::vector<AbstractableProcess> abstractable_processes(const Network& network, 
 /// precise, the levels are Chosen, Untimed, Paced, Complete.
 InputLevel next_level(const AbstractableProcess& process, InputLevel level);
 
-/// Sets the level of each Chosen process that a stored (not Chosen) process reads to `Untimed`.
+/// Sets the level to `Untimed` for each Chosen process whose outputs a stored (not Chosen) process reads.
 void store_what_is_read(const std::vector<AbstractableProcess>& processes, std::vector<InputLevel>& levels);
 
 /// The values that one PLC samples from one Chosen instance. At the beginning of each cycle, all valuations are
@@ -137,8 +137,8 @@ struct InputAbstraction {
     Network network = {};
     std::vector<InputChoice> choices = {};
     std::vector<Id<Network::Process>> paced = {};  ///< Paced instances, as argument of in_longest_unit
-    /// Untimed timers. A search may take the edges of these timers that are not urgent only while their PLC waits. The
-    /// reachable states are then the same except for EVOL_TI, if only the PLC and its timers read the timers.
+    /// Untimed timers. A search may restrict these timers: it takes their non-urgent edges only while their PLC waits.
+    /// If only the PLC and its timers read the timers, the restriction changes no reachable state except in EVOL_TI.
     std::vector<Id<Network::Process>> deferred = {};
     /// PLCs that may begin a cycle whenever they wait and no timer has a request.
     std::vector<Id<Network::Process>> unprompted = {};

@@ -22,7 +22,8 @@ inline bool is_about_states(Pattern pattern) {
     return is_about_single_states(pattern) || pattern == Pattern::ReachableAllSteps;
 }
 
-/// True if a property of this pattern states that some run exists. If it is violated, no run shows the violation.
+/// True if a property of this pattern states that some run exists. A single run cannot show that the property is
+/// violated.
 inline bool is_about_existence(Pattern pattern) {
     return pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps;
 }

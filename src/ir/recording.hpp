@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // RecordingVerdict: result of the check of a recording of inputs and outputs against a chart.
-// run/recording/recording_check.hpp defines an admissible timing of a recording.
+// run/recording/recording_check.hpp defines which timings of a recording are admissible.
 #pragma once
 
 #include <cstdint>
@@ -46,12 +46,12 @@ struct RecordingVerdict {
     Kind kind = Kind::Conforms;
     std::string reason = {};                  ///< for Unknown: the reason
     std::optional<Deviation> deviation = {};  ///< for Deviates
-    /// Run of the chart with one timing: for Deviates that of `deviation`, otherwise one that is admissible so far.
-    /// Without such a timing, the run has no events.
+    /// Run of the chart with one timing. For Deviates, this is the timing of `deviation`; otherwise, it is a timing
+    /// that is admissible for the samples that were read. If there is no such timing, the run has no events.
     ChartRun run = {};
     bool run_is_complete = true;  ///< true if `run` begins at power-on; false if `run` contains only the last instants
-    /// For each clock of `--skew` that concerns the chart: its offset. No other offset explains the recording; for
-    /// Deviates, the range is that of the timing in `deviation`. Empty for Unknown.
+    /// Offset of each clock of `--skew` that concerns the chart. No other offset explains the recording. For Deviates,
+    /// the range applies to the timing of `deviation`. Empty for Unknown.
     std::vector<ClockOffset> offsets = {};
     std::vector<std::string> unrecorded = {};  ///< outputs that the recording does not contain
 

@@ -12,7 +12,7 @@ namespace grafverif {
 
 namespace {
 
-/// Determines when the urgent edges of a process stop time, if they read only a few Boolean variables.
+/// Determines when the urgent edges of a process stop time, if these edges read only a few Boolean variables.
 class StoppingTime {
 public:
     StoppingTime(const Network& network, Id<Network::Process> id)

@@ -21,7 +21,7 @@ namespace grafverif {
 
 namespace {
 
-/// Flags of a term: it reads a kept variable or location; it reads a free variable or location.
+/// Flags of a term. Kept: the term reads a kept variable or location. Free: it reads a free variable or location.
 enum : std::uint8_t { Kept = 1, Free = 2 };
 
 /// True for Boolean variables by which a PLC, its timers and its cycles interact. Their values are often large terms.
@@ -116,7 +116,7 @@ private:
     std::vector<std::uint32_t> process_ = {};   // maps processes of the complete network to processes of the result
     std::vector<std::uint32_t> variable_ = {};  // the same map for variables
     std::vector<std::uint8_t> reads_ = {};      // flags of each term of the complete network
-    // The same data for states in which time passes: variables with a fixed value are not free.
+    // As `reads_`, but for states in which time passes: variables with a fixed value are not free in these states.
     std::vector<std::uint8_t> reads_resting_ = {};
     std::set<std::uint32_t> borders_ = {}, tied_ = {};
     std::vector<std::vector<Id<Network::Variable>>> free_in_ = {};  // free variables per invariant

@@ -31,8 +31,8 @@ std::vector<Span> declarations_in(const Program& program, std::string_view path)
 /// and steps of the chart.
 Chart interface_of(ProgramReference program, std::string name, Span origin);
 
-/// For each transition of `drawn_chart`, in order: the statement that assigns true if the transition is cleared, and
-/// the address of the instance that executes the statement.
+/// The test of one transition: the statement that assigns true if the transition is cleared, and the instance that
+/// executes the statement. `sequence_tests` returns the tests of the transitions of `drawn_chart`, in order.
 struct SequenceTest {
     Id<Program::Statement> statement = {};
     Id<Program::Unit> unit = {};  ///< unit of the instance
