@@ -140,9 +140,8 @@ struct Options {
     std::optional<std::string> junit = {}, sarif = {};
     bool list = false;                                           ///< option of `check`: list the properties
     std::optional<std::string> state_file = {}, survivors = {};  ///< options of `mutate`
-    std::optional<std::uint64_t> limit = {},
-                                 /// Options of `mutate`: maximum number of mutants; time limit for each mutant.
-        mutant_timeout_ms = {};
+    /// Options of `mutate`: maximum number of mutants; time limit for each mutant in milliseconds.
+    std::optional<std::uint64_t> limit = {}, mutant_timeout_ms = {};
     std::uint64_t seed = 1;  ///< option of `mutate`
     std::string date = {};   ///< option of `report`: the displayed date
     std::optional<std::string> trace_vcd = {}, trace_svg = {};
@@ -180,8 +179,7 @@ struct PathOption {
     PathUse use = PathUse::Written;
 };
 
-/// Lists every option that names a file or folder, except `--include` and `--within`. `--output` of
-/// `build` is a folder.
+/// Every option that names a file or folder, except `--include` and `--within`. For `build`, `--output` names a folder.
 inline constexpr std::array path_options = {
     PathOption{"output", &Options::output, PathUse::Written},
     PathOption{"junit", &Options::junit, PathUse::Written},

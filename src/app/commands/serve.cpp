@@ -48,7 +48,7 @@ void open_in_browser(const std::filesystem::path& page, const Streams& streams) 
 }
 
 /// Returns a page that redirects to `address`. The browser opens this page instead of `address`: other users can read
-/// the command line of the browser, so it must not contain the token.
+/// the command line of the browser, so the command line must not contain the token.
 std::string redirect_to(const std::string& address) {
     return fmt::format(
         "<!doctype html>\n<meta charset=\"utf-8\">\n"

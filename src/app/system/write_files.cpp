@@ -255,7 +255,7 @@ private:
         flush(copy, one.file->path);
     }
 
-    /// True if the existing file has not the content that may be replaced.
+    /// True if the existing file does not have the content that may be replaced.
     static bool has_other_content(const One& one) {
         struct stat status = {};
         if (!one.file->replaces || !is_there(one, status)) return false;

@@ -272,8 +272,8 @@ private:
 };
 
 /// Writes the text and the drawing of the original, and the text of each mutant that no property detects. For each of
-/// these mutants, a drawing of the original and a drawing of the mutant mark the elements that the other one does not
-/// contain. Returns false after an error.
+/// these mutants, a drawing of the original and a drawing of the mutant mark the elements that the other drawing does
+/// not contain. Returns false after an error.
 bool write_survivors(const Mutation& mutation, const MutantChecker& bench, const Model& model, Id<Chart> chart,
                      const std::string& original, CommandContext& job, const Streams& streams) {
     if (!job.options.survivors) return true;
