@@ -20,9 +20,9 @@ namespace grafverif::app {
 
 /// The results of all executions of one invocation.
 struct Reports {
-    std::string suites = {};  ///< test suites for JUnit
+    std::string suites = {};  ///< text of the test suites in the JUnit report
     SarifLog sarif = {};
-    std::vector<OutputFile> files = {};  ///< files of traces
+    std::vector<OutputFile> files = {};  ///< trace files
 };
 
 /// Returns `content` as an HTML report with the file, the options and the warnings of the command.

@@ -9,7 +9,7 @@
 // Under each assignment, a term has a value if and only if `evaluate` (ir/expr.hpp) returns a value, and the two values
 // are equal. `undefined` is true for assignments for which the term has no value, because of a division by zero or a
 // result outside 64 bits. As in `evaluate`, `undefined` ignores the operands of an `and` or `or` after the first
-// operand that determines the result. It also ignores the branch that a conditional does not select.
+// operand that determines the result. `undefined` also ignores the branch that a conditional does not select.
 #pragma once
 
 #include <cassert>

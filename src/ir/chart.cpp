@@ -43,7 +43,7 @@ ReadTerms read_terms(const Chart& chart) {
 
 namespace {
 
-/// Collects violated invariants.
+/// Collects descriptions of the violated invariants of a chart.
 struct ChartFaults {
     Sorts sorts;
     std::vector<std::string> found = {};

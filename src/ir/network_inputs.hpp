@@ -160,8 +160,8 @@ Network in_longest_unit(Network network, const std::vector<Id<Network::Process>>
                         const std::vector<Id<Network::Process>>& rounded = {}, const InputAblations& ablations = {});
 
 /// Converts `network` to the longest time unit in which the clock bounds of all processes except autonomous instances
-/// are integers. Lower bounds of autonomous instances are rounded up and upper bounds are rounded down, so that each run
-/// is a run of `network`; an instance may be unable to move. Requires that `network` is expanded.
+/// are integers. Lower bounds of autonomous instances are rounded up and upper bounds are rounded down, so that each
+/// run is a run of `network`; an instance may be unable to move. Requires that `network` is expanded.
 Network in_longer_unit(Network network, const std::vector<AbstractableProcess>& instances);
 
 /// Removes all clock constraints, invariants and resets of `automaton`.

@@ -45,7 +45,7 @@ struct RecordingVerdict {
     std::string chart = {};
     Kind kind = Kind::Conforms;
     std::string reason = {};                  ///< for Unknown: the reason
-    std::optional<Deviation> deviation = {};  ///< for Deviates
+    std::optional<Deviation> deviation = {};  ///< valid only for the result Deviates
     /// Run of the chart with one timing. For Deviates, this is the timing of `deviation`; otherwise, it is a timing
     /// that is admissible for the samples that were read. If there is no such timing, the run has no events.
     ChartRun run = {};

@@ -73,8 +73,8 @@ struct Chart {
 
     struct Transition {
         std::string name = {};
-        std::vector<Id<Step>> from = {};  ///< empty if this is a source transition
-        std::vector<Id<Step>> to = {};    ///< empty if this is a sink transition
+        std::vector<Id<Step>> from = {};  ///< steps upstream; empty for a source transition
+        std::vector<Id<Step>> to = {};    ///< steps downstream; empty for a sink transition
         Id<Expr> condition = {};
         Id<PartialChart> chart = {};
         Span origin = {};
@@ -116,7 +116,7 @@ struct Chart {
         bool operator==(const StoredAction&) const = default;
     };
 
-    enum class ForcedTo { Empty, Current, Initial, Steps };  ///< forced situation: {} {*} {INIT} {steps} (clause 7)
+    enum class ForcedTo { Empty, Current, Initial, Steps };  ///< forced situation: {}, {*}, {INIT}, {steps} (clause 7)
     struct ForcingOrder {
         Id<Step> step = {};
         Id<PartialChart> forced = {};
@@ -137,8 +137,8 @@ struct Chart {
     /// `accept CODE SUBJECT "reason"` accepts a finding about the chart.
     struct Acceptance {
         std::string code = {};  ///< finding code (see ir/finding.hpp)
-        /// Subject of the finding, such as `X4`, `t3` or `LOCK`; if empty, findings about any subject are accepted. With
-        /// the subject `H.`, findings about the elements of the partial chart `H` are accepted.
+        /// Subject of the finding, such as `X4`, `t3` or `LOCK`; if empty, findings about any subject are accepted.
+        /// With the subject `H.`, findings about the elements of the partial chart `H` are accepted.
         std::string subject = {};
         std::string reason = {};
         Span origin = {};

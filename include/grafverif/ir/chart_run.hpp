@@ -8,7 +8,7 @@
 //
 // The first entry of `moments` is power-on; each further entry is one event with the state after this event. A row
 // summarizes the events since the previous row. A search for stability lasts from the sampling of the inputs to the
-// writing of the outputs. It is one row, or two rows if the plant moves during the search.
+// writing of the outputs. A search is one row, or two rows if the plant moves during the search.
 //
 // Invariants (see verify): ids are in their tables; a state has one value per signal; the steps of a situation are in
 // increasing order; time never decreases; rows are in the order of their events; the repeated events (`loop`) begin at

@@ -28,7 +28,7 @@ struct ClosedLoop {
         std::string name = {};  ///< name of the chart
         Id<Chart> chart = {};   ///< index in Model::charts
         ExecutionMode mode = ExecutionMode::StabilitySearch;
-        /// If empty, the cycle time is zero: a scan starts as soon as an input, a timer or the situation requires it.
+        /// Empty for cycle time zero: a scan starts as soon as an input, a timer or the situation requires a scan.
         std::optional<TaskCycle> cycle = {};
         Span origin = {};
         bool operator==(const Controller&) const = default;

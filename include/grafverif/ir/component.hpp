@@ -33,7 +33,7 @@ struct Component {
         ValueKind value = ValueKind::Boolean;
         /// Range of an integer output; the bounds read only constants that are declared before the output.
         std::optional<Id<Expr>> low = {}, high = {};
-        /// Default of a constant, or value of an output at power-on (if empty: 0 or `low`).
+        /// Default of a constant, or value of an output at power-on (if empty: 0 or, for an integer, `low`).
         std::optional<Id<Expr>> initial = {};
         Span origin = {};
         bool operator==(const Parameter&) const = default;

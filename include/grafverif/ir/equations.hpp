@@ -130,7 +130,7 @@ struct Equations {
     /// time r to time f, and f - r is at least rise_ms, `end` is true from r + rise_ms to f + fall_ms.
     struct Timer {
         std::string name = {};      ///< name such as `T_X2_3s`
-        Id<Variable> watched = {};  ///< X_2, or V_e of an observed term e; the level after the previous cycle
+        Id<Variable> watched = {};  ///< X_s of a step s, or V_e of a term e; the level after the previous cycle
         Id<Variable> end = {};      ///< variable of the timer output, such as `T_X2_3s_Q`
         std::int64_t rise_ms = 0;   ///< time t1; 0 if the condition has no t1
         std::int64_t fall_ms = 0;   ///< time t2; 0 if the condition has no t2
@@ -160,8 +160,8 @@ struct Equations {
     std::vector<Output> outputs = {};
     std::vector<Assumption> assumptions = {};
     /// True if one more cycle with the same inputs would change nothing except previous values: no firing condition
-    /// holds, no event executes an action, and no firing condition would hold in a cycle in which no signal has an edge.
-    /// `stable` reads firing conditions and values before the cycle. For a program: true if the scan changes nothing.
+    /// holds, no event executes an action, and no firing condition would hold in a cycle in which no signal has an
+    /// edge. `stable` reads firing conditions and values before the cycle. For a program, the scan changes nothing.
     Id<Expr> stable = {};
     /// True for a PLC program. In this case, each cycle, including the first evolution, is one scan; terms share many
     /// subterms.

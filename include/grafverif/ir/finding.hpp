@@ -68,7 +68,7 @@ struct Exclusion {
     bool operator==(const Exclusion&) const = default;
 };
 
-/// A query of the analysis without a result.
+/// A query that the analysis has not decided.
 struct OpenQuestion {
     std::string code = {};  ///< code of the potential finding
     std::string subject = {};
@@ -87,7 +87,7 @@ struct Analysis {
     std::vector<std::string> notes = {};  ///< assumptions that apply to all findings
     std::size_t questions = 0;            ///< number of queries
     std::vector<OpenQuestion> open = {};  ///< queries without a result; all other queries have been decided
-    /// Reason why queries are in `open`; empty if `open` is empty.
+    /// Reason why the queries in `open` are undecided; empty if `open` is empty.
     std::string obstacle = {};
     std::size_t instants = 0;  ///< number of input changes to the farthest explored situation
     double seconds = 0;

@@ -64,9 +64,9 @@ struct LocationAutomaton {
     struct Input {
         std::string name = {};
         Type type = {};
-        Id<Step> timed = {};  ///< valid if this is the output of a timer that observes this step
-        /// Valid if this is the output of a timer that observes this level. If `timed` and `watched` are invalid, this
-        /// is an input of the chart.
+        Id<Step> timed = {};  ///< for the output of a timer that observes a step: this step
+        /// For the output of a timer that observes a level: this level. If `timed` and `watched` are invalid, the
+        /// element is an input of the chart.
         Id<Stored> watched = {};
         std::int64_t rise_ms = 0, fall_ms = 0;  ///< t1 and t2 of `t1/v/t2`; not both 0 for a timer
         Span origin = {};

@@ -69,7 +69,7 @@ struct Network {
     struct Parameter {
         std::string name = {};
         ParameterKind kind = ParameterKind::Read;
-        Type type = {};  ///< Constant: Booleans are 0 and 1; durations are integers in time units
+        Type type = {};  ///< for kind Constant, Booleans are 0 and 1, and durations are integers in time units
         bool operator==(const Parameter&) const = default;
     };
 
@@ -143,15 +143,15 @@ struct Network {
         Id<Process> process = {};
         Id<Location> done = {};  ///< location of the timer process after t1 has elapsed; invalid if the timer has no t1
         /// True: the timer restarts whenever its step is activated, even if the step was deactivated in the same
-        /// instant. False: the timer only observes if its step is active (CEP13 Fig. 33b), and does not notice that the
-        /// step was deactivated and activated again in one instant.
+        /// instant. False: the timer observes only the activity of its step (CEP13 Fig. 33b), and does not notice that
+        /// the step was deactivated and activated again in one instant.
         bool restarts = true;
         bool operator==(const Timer&) const = default;
     };
     /// A controller: the names of its chart, and the elements of the network that implement its PLC cycle.
     struct Controller {
         ControllerWords<Variable> words = {};
-        Id<Process> process = {};   ///< the process of the PLC
+        Id<Process> process = {};   ///< process that represents the PLC
         Id<Location> waiting = {};  ///< location W (the PLC waits for the next cycle) of the template of `process`
         Id<Variable> stable = {};
         std::vector<Timer> timers = {};  ///< timers in the order of `words`

@@ -7,8 +7,8 @@
 // after each scan. A scan reads the inputs, executes the chart in `mode` and writes the outputs. A step with a positive
 // `wait_ms` changes no input.
 //
-// Without stability search, `cycles` is 1 if a second scan with the same inputs would lead to another state. It is also
-// 1 if the user requested one cycle per step. In all other cases, `cycles` is 2; the second scan shows that the
+// Without stability search, `cycles` is 1 if a second scan with the same inputs would lead to another state. `cycles`
+// is also 1 if the user requested one cycle per step. In all other cases, `cycles` is 2; the second scan shows that the
 // controller stays in its state.
 //
 // Without stability search the first scan after power-on clears no transition: it activates the initial steps.
@@ -36,7 +36,7 @@ namespace grafverif {
 enum class TestCover {
     Transitions,  ///< every transition of the Mealy machine, for each input combination of the transition
     Evolutions,   ///< every evolution of the location automaton, each with one input combination
-    Locations,    ///< every location
+    Locations,    ///< every location of the location automaton
 };
 
 struct TestSequence {

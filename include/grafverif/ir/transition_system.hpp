@@ -149,7 +149,7 @@ struct TransitionSystem {
         std::vector<Subsystem> each = {};  ///< the subsystems; empty if the system cannot be decomposed
         /// True in a step in which no subsystem moves; with discrete time, time passes in this step.
         Id<Expr> waits = {};
-        /// Only with discrete time: true if some instance can move; true if time can pass.
+        /// Only with discrete time. `can_move`: some instance can move. `can_wait`: time can pass.
         Id<Expr> can_move = {}, can_wait = {};
         bool operator==(const Subsystems&) const = default;
     };

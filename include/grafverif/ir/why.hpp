@@ -16,8 +16,8 @@ struct ProofExplanation {
     /// The elements that the proof of one property needs.
     struct ProofCore {
         std::string property = {};
-        /// For a state property: the instances and timers that the proof needs if all others behave arbitrarily.
-        /// `timings` contains the instances of `parts` whose clocks the proof also needs.
+        /// For a state property: the instances and timers that the proof needs if all other instances and timers behave
+        /// arbitrarily. `timings` contains the instances of `parts` whose clocks the proof also needs.
         std::vector<std::string> parts = {}, timings = {};
         /// True if the property concerns all states; only then `parts` and `timings` are computed.
         bool about_states = false;

@@ -115,8 +115,8 @@ ExitCode serve_page(CommandContext& job, const Streams& streams, const std::opti
                        "Press Ctrl-C to stop.\n",
                        printable(job.options.operands[0]), address)
                 << std::flush;
-    // Only this user can read the folder. It is removed when the server ends, because the browser may open the file
-    // late.
+    // Only this user can read the folder. The folder is removed only when the server ends, because the browser may open
+    // the file late.
     std::optional<TemporaryFolder> folder;
     if (job.options.open) {
         folder.emplace();

@@ -43,7 +43,7 @@ public:
     Session(Simulation& simulation, const Streams& streams)
         : simulation_(simulation), recording_(simulation), out_(streams.out) {}
 
-    /// Starts the session. If `prompts`, the choices are shown, followed by `prompt`.
+    /// Starts the session. If `prompts` is true, shows the choices and then `prompt`.
     void begin(bool prompts, std::string_view prompt = "") {
         prompts_ = prompts;
         prompt_ = prompt;

@@ -54,7 +54,8 @@ public:
     std::string text() const;
     /// Returns the path of the recovery file if it contains changes that are not saved; otherwise an empty string.
     std::string unsaved() const;
-    /// Returns the reason why changes that are not saved are not in the recovery file either; otherwise an empty string.
+    /// Returns the reason why the recovery file does not contain the changes that are not saved; otherwise an empty
+    /// string.
     std::string loss() const;
 
 private:

@@ -84,7 +84,7 @@ void set_headers(Message& message) {
     message.set("Cross-Origin-Resource-Policy", "same-origin");
 }
 
-/// Threads for the handler: at most `answering_threads`, and as many as the system permits. Throws if no thread can be
+/// Threads for the handler: as many as the system permits, at most `answering_threads`. Throws if no thread can be
 /// started. asio::thread_pool is not suitable: its constructor waits forever if the system permits some threads but not
 /// all.
 class HandlerThreads {

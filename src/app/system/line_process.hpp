@@ -25,8 +25,8 @@ struct Reply {
     enum class Kind {
         Line,     ///< `text` is the line, without its terminator
         Silent,   ///< there was no line within the time limit
-        Ended,    ///< the program ended, or closed its output, before it answered
-        Flood,    ///< several lines, or a line without end; `text` is the beginning
+        Ended,    ///< the program ended, or closed its output, before it responded
+        Flood,    ///< several lines, or a line that is too long; `text` is the beginning
         Stopped,  ///< the cancellation flag was set
     };
     Kind kind = Kind::Line;

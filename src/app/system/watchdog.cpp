@@ -129,8 +129,8 @@ void no_memory() {
     throw std::bad_alloc();
 }
 
-/// Reserves memory, but does not touch it: the limits count the memory that a process requests, and touching 3 MiB
-/// takes half of the processor time in which the program starts. Returns false if the system refuses the memory.
+/// Reserves memory, but does not access it. The limits count the memory that a process requests. Access to 3 MiB would
+/// take half of the processor time in which the program starts. Returns false if the system refuses the memory.
 bool keep(std::atomic<void*>& kept, std::size_t size) {
     if (kept != nullptr) return true;
     is_reserving = true;
@@ -156,7 +156,7 @@ bool keep(std::atomic<void*>& kept, std::size_t size) {
     ::_exit(static_cast<int>(code));
 }
 
-/// Touches `pages` stack pages below the caller, page by page: a single large object would skip the guard page of a
+/// Accesses `pages` stack pages below the caller, page by page: a single large object would skip the guard page of a
 /// small stack.
 [[gnu::noinline]] void touch_stack(std::size_t pages) {  // NOLINT(misc-no-recursion)
     std::array<volatile char, 4096> page;

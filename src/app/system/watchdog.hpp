@@ -27,8 +27,8 @@
 
 namespace grafverif::app {
 
-/// The limits of a run, and the messages, each a complete line, one of which is written to standard error when the
-/// watchdog ends the run.
+/// The limits of a run and the messages of the watchdog. Each message is a complete line; one of them is written to
+/// standard error when the watchdog ends the run.
 struct WatchdogOptions {
     std::optional<std::chrono::milliseconds> timeout = {};
     std::optional<std::uint64_t> max_memory = {};  ///< limit in bytes

@@ -283,7 +283,7 @@ private:
         else if (!one.backup.empty()) ::unlinkat(folder, one.backup.c_str(), 0);
     }
 
-    std::deque<Folder> folders_ = {};  // a deque, because its elements do not move
+    std::deque<Folder> folders_ = {};  // a deque, because its elements stay at their addresses
     std::deque<One> files_ = {};
     std::vector<fs::path> made_ = {};
 };

@@ -139,7 +139,7 @@ private:
     const Slots slots_;
     const Variables& steps_;
     const Variable variable_;
-    std::vector<Readings> readings_;  // per location
+    std::vector<Readings> readings_;  // per location: situations of reads from this location on
     std::map<Id<Expr>, Readings> terms_ = {};
     std::map<Id<Expr>, bool> partial_ = {};
 };

@@ -59,7 +59,7 @@ private:
     }
 
     const Network& network_;
-    std::vector<std::vector<Id<Expr>>> guards_;  // urgent guards per location
+    std::vector<std::vector<Id<Expr>>> guards_;  // guards of the urgent edges, per location
     std::vector<Id<Network::Variable>> read_ = {};
 };
 

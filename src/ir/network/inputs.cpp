@@ -194,7 +194,7 @@ private:
             if (!live[plc.edges[id].to.index]) choice.widened.push_back(id);
     }
 
-    /// Makes all valuations possible again between two cycles, because an instance may move at any time.
+    /// Adds edges that make all valuations possible again between two cycles, because an instance may move at any time.
     void move_instances(const Network::Controller& controller, Network::Template& plc) {
         for (const Id<Network::Location> location : plc.locations.ids()) {
             std::vector<InputChoice*> free;

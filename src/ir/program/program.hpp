@@ -94,8 +94,8 @@ struct Program {
         Absolute,
         Minimum,
         Maximum,  // Minimum, Maximum: any number of operands
-        Limit,    // operands: least value, value, greatest value
-        Select,   // operands: condition, value if false, value if true
+        Limit,    // Limit: operands are least value, value, greatest value
+        Select,   // Select: operands are condition, value if false, value if true
         Convert,  // wraps a number to the range of `type`; a Boolean operand is 0 or 1
         Narrow,   // converts a number to a subrange; a number outside of the subrange is a run-time fault
         IsNonzero,

@@ -172,7 +172,7 @@ private:
 
 // -- a run ------------------------------------------------------------------------------------------------------------
 
-/// Selects a random sample of `most` mutants according to `seed`. Their order is unchanged.
+/// Selects a random sample of `most` mutants according to `seed`. The order of the mutants is unchanged.
 void sample(std::vector<Mutant>& all, std::uint64_t most, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     std::vector<std::size_t> order(all.size());
