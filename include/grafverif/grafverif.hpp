@@ -139,7 +139,7 @@ struct Limits {
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     /// Cancellation flag; any thread, and the function `progress`, may set it.
     const std::atomic<bool>* stop = nullptr;
-    std::function<void(const Progress&)> progress = {};  ///< called periodically
+    std::function<void(const Progress&)> progress = {};  ///< called periodically with the current progress
 };
 
 struct CheckOptions {
@@ -242,8 +242,8 @@ std::string svg_of(const MealyMachine& machine);
 // Simulation
 
 /// Simulates a closed loop, or a chart without a closed loop. The simulator is controlled by the commands of `grafverif
-/// simulate` and has the same semantics as the checks. It copies all data of the model that it needs, so the model may
-/// be destroyed before the simulator.
+/// simulate` and has the same semantics as the checks. The simulator copies all data that it needs from the model, so
+/// the model may be destroyed first.
 class Simulator {
 public:
     struct Inside;

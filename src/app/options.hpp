@@ -131,21 +131,21 @@ struct Options {
     std::string engine_command = {};  ///< shell command that Engine::Hwmcc executes
     bool check_untimed = false;       ///< true: check untimed models
     Ablations without = {};           ///< corrections of the method that are disabled
-    std::vector<std::string> disabled_corrections = {};  ///< names of the disabled corrections
+    std::vector<std::string> disabled_corrections = {};  ///< names of the corrections in `without`
     std::optional<std::uint64_t> max_states = {};
     std::optional<std::uint64_t> max_steps = {};   ///< maximum length of a trace for Engine::Bmc
     std::optional<std::uint64_t> max_memory = {};  ///< memory limit in bytes
     std::optional<std::uint64_t> timeout_ms = {};  ///< time limit in milliseconds; at most a hundred years
     std::optional<std::chrono::steady_clock::time_point> deadline = {};  ///< the time limit as a point in time
     std::optional<std::string> junit = {}, sarif = {};
-    bool list = false;                                           ///< option of `check`: list the properties
+    bool list = false;                                           ///< true: `check` only lists the properties
     std::optional<std::string> state_file = {}, survivors = {};  ///< output of `mutate`: results, undetected mutants
     /// Options of `mutate`: maximum number of mutants; time limit for each mutant in milliseconds.
     std::optional<std::uint64_t> limit = {}, mutant_timeout_ms = {};
     std::uint64_t seed = 1;  ///< seed of `mutate` for the selection of mutants
-    std::string date = {};   ///< option of `report`: the displayed date
+    std::string date = {};   ///< date that the HTML report of `report` shows
     std::optional<std::string> trace_vcd = {}, trace_svg = {};
-    std::optional<std::string> certificate = {};  ///< option of `check`: folder of the certificate
+    std::optional<std::string> certificate = {};  ///< folder in which `check` writes a certificate
     EventRange events = {};                       ///< range of events that the timing diagram shows
     std::string against = {};                     ///< option of `test`: the command that runs the controller under test
     /// File with the table of a test. If this member is empty, `test` generates the test from the chart.
@@ -277,7 +277,7 @@ struct CliCommand {
     std::string operand = {};  ///< operand in the usage line: `FILE`, `FILE...`, `[NAME]`
     std::size_t least_operands = 1, most_operands = 1;
     std::string summary = {};      ///< one line for the list of commands
-    std::string description = {};  ///< text for --help
+    std::string description = {};  ///< text that the help of the command shows
     std::vector<std::string> examples = {};
     std::vector<OptionGroup> accepts = {};
 };

@@ -22,7 +22,7 @@ namespace grafverif::app {
 struct Reports {
     std::string suites = {};  ///< text of the test suites in the JUnit report
     SarifLog sarif = {};
-    std::vector<OutputFile> files = {};  ///< trace files
+    std::vector<OutputFile> files = {};  ///< trace files to be written
 };
 
 /// Returns `content` as an HTML report with the file, the options and the warnings of the command.

@@ -27,9 +27,9 @@ struct CertificateSummary {
     struct Omitted {
         std::string property = {}, reason = {};
     };
-    std::string folder = {};                  ///< the folder of the files
+    std::string folder = {};                  ///< folder that contains the files of the certificate
     std::vector<std::string> certified = {};  ///< names of the properties whose verdicts the files prove
-    std::vector<CertificateKind> kinds = {};  ///< for each element of `certified`
+    std::vector<CertificateKind> kinds = {};  ///< type of proof for each element of `certified`
     std::vector<Omitted> omitted = {};
 };
 

@@ -20,7 +20,7 @@ struct EquationsCheck {
                     return sort_of(equations.variables[{static_cast<std::uint32_t>(leaf.value)}].type);
                 }};
     std::vector<bool> reads_firing = {};  ///< for each term: true if it contains a firing condition
-    std::vector<int> defined = {};        ///< number of equations per variable
+    std::vector<int> defined = {};        ///< number of equations for each variable
 
     void fault(std::string text) { faults.push_back(std::move(text)); }
 

@@ -98,7 +98,7 @@ struct FaultAnalysis {
     std::vector<Error> errors = {};
     std::size_t combinations = 0;  ///< number of combinations of at most `order` faults
     std::size_t checks = 0;        ///< number of checks of models of the loop, including the check without faults
-    std::vector<std::string> failures = {};  ///< internal errors
+    std::vector<std::string> failures = {};  ///< internal errors of the analysis
 };
 
 }  // namespace grafverif

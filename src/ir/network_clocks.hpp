@@ -11,8 +11,8 @@
 //
 // A clock is bounded at l if an invariant can limit the clock before its next reset.
 //
-// The greatest relevant constants of lower bounds and of upper bounds are also computed separately. These constants
-// determine if a state with one clock value simulates a state with another clock value
+// The greatest relevant constants of lower bounds and of upper bounds are also computed separately. The greatest
+// constants determine if a state with one clock value simulates a state with another clock value
 // (check/timed/store/covering.hpp).
 #pragma once
 

@@ -68,10 +68,10 @@ struct InputAblations {
     bool ignore_evolutions = false;  ///< evolutions of a PLC need not end
     bool search_evolutions = false;  ///< not a premise: a search proves that evolutions end, instead of evolutions_end
     // Premises of PossibleProof (check/inputs/possible.hpp):
-    bool one_bound = false;         ///< rule 3 is applied to only one bound of an invariant
-    bool any_edge = false;          ///< the edges in the rules need not be possible for all values of the clocks
-    bool need_not_return = false;   ///< instances of the panel need not be able to return
-    bool need_not_diverge = false;  ///< time need not diverge
+    bool one_bound = false;         ///< rule 3 of possible.hpp is applied to only one bound of an invariant
+    bool any_edge = false;          ///< edges in the rules of possible.hpp need not be possible for all clock values
+    bool need_not_return = false;   ///< panel instances (possible.hpp) need not be able to return
+    bool need_not_diverge = false;  ///< the proof does not require that time diverges
     // Premises of prove_response (check/inputs/response.hpp):
     bool need_not_take_time = false;  ///< runs with infinitely many moves in bounded time are permitted
     bool round_inward = false;  ///< clock bounds of observers are rounded to stronger bounds instead of weaker bounds

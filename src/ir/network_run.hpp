@@ -16,9 +16,9 @@ namespace grafverif {
 
 /// A state of a network. Scratch variables keep their last written value.
 struct NetworkState {
-    std::vector<Id<Network::Location>> locations = {};   ///< per process
-    std::vector<std::int64_t> variables = {};            ///< per variable
-    std::vector<std::vector<std::int64_t>> clocks = {};  ///< per process and clock, in time units
+    std::vector<Id<Network::Location>> locations = {};   ///< location of each process
+    std::vector<std::int64_t> variables = {};            ///< value of each variable
+    std::vector<std::vector<std::int64_t>> clocks = {};  ///< value of each clock of each process, in time units
 
     bool operator==(const NetworkState&) const = default;
 };

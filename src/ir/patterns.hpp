@@ -16,8 +16,8 @@ inline bool is_about_single_states(Pattern pattern) {
     return is_about_all_states(pattern) || pattern == Pattern::Reachable;
 }
 
-/// True if the verdict on a property of this pattern depends only on the set of reachable states. This includes
-/// `reachable all steps`, for which different runs may reach the steps.
+/// True if the verdict on a property of this pattern depends only on the set of reachable states. The result is also
+/// true for `reachable all steps`, for which different runs may reach the steps.
 inline bool is_about_states(Pattern pattern) {
     return is_about_single_states(pattern) || pattern == Pattern::ReachableAllSteps;
 }

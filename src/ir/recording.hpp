@@ -19,8 +19,8 @@ struct Deviation {
     /// Time, in microseconds, of the change of the recorded output or, if `missing_change`, of the output of the chart.
     std::int64_t time_us = 0;
     std::uint64_t line = 0;     ///< line of the recorded value in the log
-    std::string output = {};    ///< name in the chart
-    std::int64_t recorded = 0;  ///< recorded value
+    std::string output = {};    ///< name of the output in the chart
+    std::int64_t recorded = 0;  ///< value in the recording
     std::int64_t allowed = 0;   ///< value that the chart writes with this timing
     /// True: the chart changes the output, but the recording does not; false: the recording changes the output, but the
     /// chart does not.
@@ -34,7 +34,7 @@ struct Deviation {
 /// other columns. If the offset is positive, this clock is ahead.
 struct ClockOffset {
     std::vector<std::string> columns = {};  ///< the columns of the log with times of this clock
-    std::int64_t bound_us = 0;              ///< maximum absolute value
+    std::int64_t bound_us = 0;              ///< maximum absolute value of the offset (`--skew`)
     std::int64_t low_us = 0, high_us = 0;   ///< range of the offsets that explain the recording
 
     bool operator==(const ClockOffset&) const = default;
@@ -44,7 +44,7 @@ struct RecordingVerdict {
     enum class Kind { Conforms, Deviates, Unknown };
     std::string chart = {};
     Kind kind = Kind::Conforms;
-    std::string reason = {};                  ///< for Unknown: the reason
+    std::string reason = {};                  ///< reason for the result Unknown
     std::optional<Deviation> deviation = {};  ///< valid only for the result Deviates
     /// Run of the chart with one timing. For Deviates, this is the timing of `deviation`; otherwise, it is a timing
     /// that is admissible for the samples that were read. If there is no such timing, the run has no events.
@@ -71,7 +71,7 @@ struct RecordedProperty {
 
 /// Verdicts of several charts for one recording.
 struct RecordingReport {
-    std::string log = {};  ///< name of the log
+    std::string log = {};  ///< name of the log file
     std::int64_t jitter_us = 0;
     std::int64_t skew_us = 0;                ///< maximum absolute value of the offsets of clocks
     std::uint64_t samples = 0;               ///< number of samples that were read

@@ -95,7 +95,7 @@ struct Chart {
     struct ContinuousAction {
         Id<Step> step = {};
         Id<Variable> output = {};
-        Id<Expr> condition = {};    ///< assignation condition; default: the constant true
+        Id<Expr> condition = {};    ///< assignation condition of the action; default: the constant true
         std::int64_t delay_ms = 0;  ///< delay of a delayed action (`after`); 0 for an action without delay
         std::int64_t limit_ms = 0;  ///< time limit of a time-limited action (`for`); 0 for an action without time limit
         Span origin = {};
@@ -111,7 +111,7 @@ struct Chart {
         Id<Transition> transition = {};  ///< transition that triggers the action; valid only for Clearing
         Id<Variable> target = {};
         Id<Expr> value = {};
-        Id<Expr> event = {};  ///< triggering event, only for Event
+        Id<Expr> event = {};  ///< event that triggers the action; valid only for Event
         Span origin = {};
         bool operator==(const StoredAction&) const = default;
     };

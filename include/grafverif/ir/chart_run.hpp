@@ -1,10 +1,10 @@
-// SPDX-License-Identifier: MIT
-// ChartRun: a run of a closed loop in terms of its charts. For each controller, a ChartRun contains the sampled inputs,
-// the cleared transitions and the written outputs. It also contains the moves of the plant. A ChartRun does not contain
-// elements of the translated model, such as locations of the PLC process, flags and auxiliary variables. `project`
-// (run/project.hpp) converts a run of a Network or of a TransitionSystem to a ChartRun. The replay (run/replay.hpp)
-// checks a ChartRun against the rules of IEC 60848, and `with_rows` (report/trace_rows.hpp) adds the rows to be
-// printed. All texts, diagrams and JSON data of a run are generated from a ChartRun.
+// SPDX-License-Identifier: MIT ChartRun: a run of a closed loop in terms of its charts. For each controller, a ChartRun
+// contains the sampled inputs, the cleared transitions and the written outputs. A ChartRun also contains the moves of
+// the plant. A ChartRun does not contain elements of the translated model, such as locations of the PLC process, flags
+// and auxiliary variables. `project` (run/project.hpp) converts a run of a Network or of a TransitionSystem to a
+// ChartRun. The replay (run/replay.hpp) checks a ChartRun against the rules of IEC 60848, and `with_rows`
+// (report/trace_rows.hpp) adds the rows to be printed. All texts, diagrams and JSON data of a run are generated from a
+// ChartRun.
 //
 // The first entry of `moments` is power-on; each further entry is one event with the state after this event. A row
 // summarizes the events since the previous row. A search for stability lasts from the sampling of the inputs to the
@@ -62,7 +62,7 @@ struct ChartRun {
         std::string name = {};  ///< name of the controller that has the timer
         /// Name of the observed step variable or variable, such as `X2` or `a`; empty if another term is observed.
         std::string watched = {};
-        std::optional<std::size_t> step = {};   ///< the observed step, in Controller::steps
+        std::optional<std::size_t> step = {};   ///< index of the observed step in Controller::steps
         std::int64_t rise_ms = 0, fall_ms = 0;  ///< times t1 and t2 of the time condition `t1/v/t2`
         bool exact = false;  ///< true if the timer expires exactly at the time that IEC 60848 prescribes
         bool operator==(const Timer&) const = default;

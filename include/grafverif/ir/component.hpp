@@ -85,8 +85,8 @@ struct Component {
         bool urgent = false;
         Id<Expr> guard = {};
         std::vector<ClockConstraint> constraint = {};  ///< conjunction of clock constraints
-        /// The assignments of the edge. They are executed in order; each assignment reads the results of the previous
-        /// assignments.
+        /// The assignments of the edge. Assignments are executed in order; each assignment reads the results of the
+        /// previous assignments.
         std::vector<Assignment> assignments = {};
         std::vector<Id<Clock>> resets = {};
         Span origin = {};

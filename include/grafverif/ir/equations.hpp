@@ -111,7 +111,7 @@ struct Equations {
 
     /// The value, in the previous cycle, of a term whose edges are read.
     struct Previous {
-        Id<Variable> variable = {};  ///< variable P_e
+        Id<Variable> variable = {};  ///< variable P_e of the previous value
         /// Term e, which reads values before the cycle; in the first evolution, it reads initial values.
         Id<Expr> value = {};
         Span origin = {};
@@ -120,7 +120,7 @@ struct Equations {
 
     /// The level (value after the previous cycle) of a term that a timer observes.
     struct ObservedTerm {
-        Id<Variable> variable = {};  ///< variable V_e
+        Id<Variable> variable = {};  ///< variable V_e of the level
         Id<Expr> value = {};         ///< term e, which reads values after the cycle
         Span origin = {};
         bool operator==(const ObservedTerm&) const = default;
@@ -140,7 +140,7 @@ struct Equations {
 
     /// An assumption on the inputs of the chart (`constraint`), for models with free inputs.
     struct Assumption {
-        Id<Expr> condition = {};  ///< condition over inputs only
+        Id<Expr> condition = {};  ///< condition on the inputs
         Span origin = {};
         bool operator==(const Assumption&) const = default;
     };

@@ -87,7 +87,7 @@ struct LocationAutomaton {
     };
     struct Location {
         std::vector<Id<Step>> situation = {};
-        std::vector<std::int64_t> values = {};  ///< values of `stored`
+        std::vector<std::int64_t> values = {};  ///< value of each element of `stored`
         std::vector<Emission> emissions = {};   ///< sorted by output; INIT emits the initial values of stored outputs
         bool operator==(const Location&) const = default;
     };

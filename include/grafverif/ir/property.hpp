@@ -64,7 +64,7 @@ struct Property {
     Pattern pattern = Pattern::Always;
     std::vector<Id<Expr>> operands = {};
     std::string raw = {};
-    Sentence watch = {};     ///< used only by Pattern::Watched
+    Sentence watch = {};     ///< parameters of the pattern Watched; unused for other patterns
     bool at_stable = false;  ///< true if the property is evaluated only in quiescent states
     bool expected_violated = false;
     Span origin = {};

@@ -96,7 +96,7 @@ struct TransitionSystem {
 
     /// A property of the closed loop that the transition system cannot express, with the reason.
     struct Omitted {
-        Property property = {};  ///< the property, without operands
+        Property property = {};  ///< the omitted property, without operands
         std::string reason = {};
         std::size_t before = 0;  ///< position of the omitted property: index of the next property in `properties`
         bool operator==(const Omitted&) const = default;
@@ -134,7 +134,7 @@ struct TransitionSystem {
     /// A subsystem: a set of instances of an interleaved system. These instances share no variables with instances of
     /// other subsystems; all subsystems share only time and the choice of the moving instance.
     struct Subsystem {
-        std::string name = {};  ///< displayed name
+        std::string name = {};  ///< displayed name of the subsystem
         std::vector<Id<Instance>> instances = {};
         /// Symbols of main that belong to this subsystem. Each symbol is paired with the constant that replaces it if
         /// the subsystem is omitted.
@@ -161,7 +161,7 @@ struct TransitionSystem {
     Exprs exprs = {};
     Table<Module> modules = {};
     Id<Module> main = {};
-    Table<Instance> instances = {};            ///< instances in main
+    Table<Instance> instances = {};            ///< module instances in main
     std::vector<Id<Instance>> observers = {};  ///< observers, which monitor the steps of this system
     Table<Property> properties = {};           ///< properties over symbols of main
     /// Condition for a quiescent state, over symbols of main: the meaning of `at stable`. Every controller is stable

@@ -45,9 +45,9 @@ enum class Outcome { Holds, Violated, Unknown };
 /// Reason for an unknown verdict.
 enum class UnknownReason {
     None,
-    Bound,        ///< maximum number of states reached
-    Memory,       ///< memory limit reached
-    Stopped,      ///< stopped by the user or the deadline
+    Bound,        ///< the maximum number of states was reached
+    Memory,       ///< the memory limit was reached
+    Stopped,      ///< the user or the deadline stopped the engine
     Inexact,      ///< the result for integer time does not decide the property for dense time
     Unsupported,  ///< this engine does not support the property
     Faulty,       ///< the model has an error: see ModelError
@@ -95,7 +95,7 @@ struct Verdict {
     /// The input abstraction of the verdict, if one was used. In this case, `run` is not necessarily a shortest run.
     std::optional<InputsAbstracted> abstraction = {};
     std::optional<Run> run = {};  ///< counterexample, or witness of a `reachable` property that holds
-    Span origin = {};             ///< position of the property
+    Span origin = {};             ///< position of the property in the sources
 
     bool operator==(const Verdict&) const = default;
 };

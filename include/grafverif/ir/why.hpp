@@ -35,7 +35,7 @@ struct ProofExplanation {
         std::size_t nth = 1;    ///< number of this element among the elements with the same name, counted from 1
         std::vector<std::string> needed_by = {};  ///< properties that fail if the element is removed
         std::vector<std::string> open = {};       ///< properties with an unknown result without the element
-        Span origin = {};                         ///< position of a statement
+        Span origin = {};                         ///< position of the element, if it is a statement
         bool operator==(const ModelElement&) const = default;
     };
 

@@ -26,8 +26,8 @@ namespace grafverif::app {
 
 namespace {
 
-/// The trace that is written to files. It is the trace of the first model error, otherwise of the first unexpected
-/// verdict, otherwise of the first verdict with a trace.
+/// The trace that is written to files. This trace is the trace of the first model error, otherwise of the first
+/// unexpected verdict, otherwise of the first verdict with a trace.
 struct Chosen {
     const ChartRun* trace = nullptr;
     std::string title = {};

@@ -82,7 +82,8 @@ std::optional<std::string> served_content(CommandContext& job) {
     return job.diagnostics.has_errors() ? std::nullopt : content;
 }
 
-/// True if `content` is a text that a page can edit: the input language in UTF-8. Otherwise reports an error.
+/// True if `content` is a text that a page can edit: the input language in UTF-8. Reports an error if the result is
+/// false.
 bool can_be_edited(const std::string& content, CommandContext& job) {
     const std::string& path = job.options.operands[0];
     const Id<Source> source = job.sources.add({path, content});

@@ -24,7 +24,7 @@ struct CheckedFile {
     ParseResult reading = {};
     std::vector<std::optional<Network>> networks = {};  ///< network of each closed loop; empty if the loop was rejected
     std::vector<bool> runs = {};                        ///< for each chart: true if it can be simulated without a loop
-    std::uint64_t number = 0;                           ///< number of the parse
+    std::uint64_t number = 0;                           ///< consecutive number of the parse
 };
 
 class FileChecker {

@@ -28,7 +28,7 @@ public:
     std::uint32_t of(std::size_t offset) const { return units_[offset < units_.size() ? offset : units_.size() - 1]; }
 
 private:
-    std::vector<std::uint32_t> units_ = {};  ///< for each byte: number of units before it
+    std::vector<std::uint32_t> units_ = {};  ///< for each byte: number of UTF-16 units before it
 };
 
 }  // namespace grafverif::app

@@ -117,7 +117,7 @@ ProgramResult run_program(const std::vector<std::string>& arguments, const std::
     {
         const SignalBlocker whole;
         child.end();
-        if (result.end == ProgramResult::End::Stopped) work_is_done();  // allows additional time to print the results
+        if (result.end == ProgramResult::End::Stopped) work_is_done();  // additional time to print results
     }
     out.take(limits.max_output);
     err.take(limits.max_output);

@@ -90,7 +90,7 @@ std::uint64_t resident() {
     if (descriptor < 0) return 0;
     const ssize_t count = ::read(descriptor, text.data(), text.size() - 1);
     ::close(descriptor);
-    std::array<std::uint64_t, 3> pages = {};  // numbers of pages: size, resident, shared
+    std::array<std::uint64_t, 3> pages = {};  // three numbers of pages: size, resident, shared
     const char* at = text.data();
     const char* const end = text.data() + std::max<ssize_t>(count, 0);
     for (std::uint64_t& each : pages) {
@@ -124,7 +124,7 @@ bool release_reserve(std::atomic<void*>& kept) {
 void no_memory() {
     if (is_reserving) throw std::bad_alloc();
     if (must_not_fail() && (release_reserve(landing) || release_reserve(reserve)))
-        return;  // operator new repeats the allocation
+        return;  // operator new then repeats the allocation
     release_reserve(reserve);
     throw std::bad_alloc();
 }

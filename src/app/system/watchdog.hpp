@@ -31,7 +31,7 @@ namespace grafverif::app {
 /// standard error when the watchdog ends the run.
 struct WatchdogOptions {
     std::optional<std::chrono::milliseconds> timeout = {};
-    std::optional<std::uint64_t> max_memory = {};  ///< limit in bytes
+    std::optional<std::uint64_t> max_memory = {};  ///< memory limit in bytes
     std::string timed_out = {}, interrupted = {}, out_of_memory = {};
 };
 

@@ -127,7 +127,7 @@ std::vector<std::int64_t> initial_frame(const Program& program, Id<Program::Unit
 
 std::int64_t wrapped(const Program::Type& type, std::int64_t value) {
     if (value >= type.low && value <= type.high) return value;
-    const std::int64_t count = type.high - type.low + 1;  // at most 2^32 values
+    const std::int64_t count = type.high - type.low + 1;  // at most 2^32, because types have at most 32 bits
     const std::int64_t rest = (value - type.low) % count;
     return type.low + (rest < 0 ? rest + count : rest);
 }

@@ -62,7 +62,7 @@ struct Program {
     struct Place {
         bool global = false;
         std::uint32_t offset = 0;
-        std::vector<Index> indices = {};  ///< indices that are not constant
+        std::vector<Index> indices = {};  ///< the indices of array elements that are not constant
         bool operator==(const Place&) const = default;
     };
 
@@ -104,9 +104,9 @@ struct Program {
     struct Node {
         Op op = Op::Constant;
         Id<Type> type = {};
-        std::int64_t value = 0;  ///< value of a constant
-        Place place = {};        ///< cell that is read
-        Id<Unit> unit = {};      ///< called unit
+        std::int64_t value = 0;  ///< for Constant: the value
+        Place place = {};        ///< for Read: the cell that is read
+        Id<Unit> unit = {};      ///< for Call: the called function
         std::vector<Id<Node>> operands = {};
         Span origin = {};
         bool operator==(const Node&) const = default;
@@ -135,10 +135,10 @@ struct Program {
         };
         Kind kind = Kind::Return;
         Place place = {};
-        Id<Type> type = {};     ///< type of the cell
+        Id<Type> type = {};     ///< type of the cell at `place`
         Id<Node> value = {};    ///< assigned value, selector, condition of a loop or fault, or first value of FOR
-        Id<Node> last = {};     ///< last value of FOR, evaluated once
-        std::int64_t step = 1;  ///< step of FOR
+        Id<Node> last = {};     ///< last value of a FOR loop, evaluated once
+        std::int64_t step = 1;  ///< step of a FOR loop
         Id<Unit> unit = {};
         std::vector<Arm> arms = {};  ///< branches of IF and CASE; for a loop, the only branch is its body
         bool generated = false;  ///< true for a rule of a Sequential Function Chart, which the source does not contain
@@ -166,7 +166,7 @@ struct Program {
     /// the statements of the chart. A step is denoted by the cell of its activity, relative to the frame of the unit.
     struct Sequence {
         struct Transition {
-            std::string name = {};  ///< may be empty
+            std::string name = {};  ///< name of the transition; may be empty
             std::vector<std::uint32_t> from = {}, to = {};
             Id<Statement> test = {};  ///< executed if the transition is enabled; assigns true if it is cleared
             bool operator==(const Transition&) const = default;
@@ -176,7 +176,7 @@ struct Program {
             std::string label = {};  ///< such as `N Lamp` or `D T#2s Lamp`
             bool operator==(const Action&) const = default;
         };
-        std::vector<std::uint32_t> initial = {};  ///< initial steps
+        std::vector<std::uint32_t> initial = {};  ///< the initial steps of the chart
         std::vector<Transition> transitions = {};
         std::vector<Action> actions = {};
         bool operator==(const Sequence&) const = default;
@@ -239,7 +239,7 @@ struct ProgramTimer {
 struct ProgramInstance {
     std::string name = {};  ///< name such as `Line.Motor`
     Id<Program::Unit> unit = {};
-    std::uint32_t frame = 0;  ///< address of its first cell
+    std::uint32_t frame = 0;  ///< address of the first cell of the instance
 };
 struct ProgramLayout {
     std::vector<ProgramCell> cells = {};

@@ -1,7 +1,6 @@
-// SPDX-License-Identifier: MIT
-// `mutate`: mutation testing of a chart. It determines which mutants are equivalent, which violate a property, and
-// which the test sequence detects. Several threads check mutants. Results are stored in a file, so that a stopped run
-// can be continued.
+// SPDX-License-Identifier: MIT `mutate`: mutation testing of a chart. The command determines which mutants are
+// equivalent, which violate a property, and which the test sequence detects. Several threads check mutants. Results are
+// stored in a file, so that a stopped run can be continued.
 #include "pipeline/variants/mutate.hpp"
 
 #include <fmt/format.h>
@@ -108,7 +107,8 @@ std::chrono::milliseconds each_of(const Options& options) {
 }
 
 /// The results of a previous run and of this run. write_files replaces the file at the start, so that an unwritable
-/// file is rejected before mutants are checked. It also replaces the file at most once per second, and at the end.
+/// file is rejected before mutants are checked. During the run, write_files replaces the file at most once per second,
+/// and finally at the end.
 class StateFile {
 public:
     explicit StateFile(const Options& options)
@@ -116,7 +116,7 @@ public:
           bounds_(fmt::format("{} ms, {} bytes", each_of(options).count(), options.max_memory.value_or(0))) {}
 
     /// Opens the file. Returns false after an error: the file cannot be read, or is not a state file. Throws
-    /// std::system_error if it cannot be written.
+    /// std::system_error if the file cannot be written.
     bool open(Diagnostics& diagnostics) {
         if (!path_) return true;
         std::string why;
@@ -345,7 +345,7 @@ ExitCode mutate(CommandContext& job, const Streams& streams) {
     try {
         state.save();
     } catch (const std::system_error& failure) {
-        job.diagnostics.add(messages::io_error(failure.what()));  // the results are printed nevertheless
+        job.diagnostics.add(messages::io_error(failure.what()));  // the command continues and prints the results
     }
     if (!write_survivors(mutation, bench, *model, *chart, original, job, streams)) return ExitCode::Input;
     std::ostringstream out;
