@@ -161,7 +161,8 @@ struct Equations {
     std::vector<Assumption> assumptions = {};
     /// True if one more cycle with the same inputs would change nothing except previous values: no firing condition
     /// holds, no event executes an action, and no firing condition would hold in a cycle in which no signal has an
-    /// edge. `stable` reads firing conditions and values before the cycle. For a program, the scan changes nothing.
+    /// edge. `stable` reads firing conditions and values before the cycle. For a program: true if the scan changes
+    /// nothing.
     Id<Expr> stable = {};
     /// True for a PLC program. In this case, each cycle, including the first evolution, is one scan; terms share many
     /// subterms.

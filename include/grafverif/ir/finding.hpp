@@ -68,7 +68,7 @@ struct Exclusion {
     bool operator==(const Exclusion&) const = default;
 };
 
-/// A query that the analysis has not decided.
+/// A query of the analysis whose result is unknown.
 struct OpenQuestion {
     std::string code = {};  ///< code of the potential finding
     std::string subject = {};

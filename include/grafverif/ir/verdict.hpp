@@ -130,10 +130,10 @@ std::string text_of(const Network& network, const ModelError& error);
 /// Returns an initial verdict without a result for `property`, which has the id `about` in its model.
 Verdict verdict_on(Id<Property> about, const Property& property);
 
-/// Changes a verdict to unknown, with the class of the reason and its text.
+/// Changes a verdict to unknown. The arguments are the class and the text of the reason.
 void set_unknown(Verdict& verdict, UnknownReason obstacle, std::string reason);
 
-/// Returns the reason of a verdict that a memory limit of `bytes` makes unknown: `memory limit of 512 MiB reached`.
+/// Returns the reason for an unknown verdict at a memory limit of `bytes`, such as `memory limit of 512 MiB reached`.
 std::string memory_limit_reached(std::uint64_t bytes);
 
 /// Changes the verdict of an external program to unknown (`engine-disagrees`) with the reason `why`.

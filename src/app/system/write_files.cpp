@@ -42,7 +42,7 @@ void write_all(const Descriptor& to, std::string_view text, const fs::path& path
     }
 }
 
-/// Flushes to the disk if the file can be flushed.
+/// Flushes the file to the disk. Ignores a file that does not support flushing, such as a pipe.
 void flush(const Descriptor& file, const fs::path& path) {
     if (::fsync(file.number()) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS && errno != EBADF)
         cannot_write(path);

@@ -117,7 +117,7 @@ private:
     std::vector<std::uint32_t> process_ = {};   // maps processes of the complete network to processes of the result
     std::vector<std::uint32_t> variable_ = {};  // maps variables of the complete network to variables of the result
     std::vector<std::uint8_t> reads_ = {};      // flags of each term of the complete network
-    // As `reads_`, but for states in which time passes: variables with a fixed value are not free in these states.
+    // Flags of each term for states in which time passes. In these states, variables with a fixed value are not free.
     std::vector<std::uint8_t> reads_resting_ = {};
     std::set<std::uint32_t> borders_ = {}, tied_ = {};
     std::vector<std::vector<Id<Network::Variable>>> free_in_ = {};  // for each invariant: the free variables

@@ -313,7 +313,7 @@ ExitCode mutate(CommandContext& job, const Streams& streams) {
     const std::string& path = job.options.operands[0];
     const auto model = read_model(path, job);
     auto chart = model ? chosen_chart(*model, job) : std::nullopt;
-    if (chart && !model->charts[*chart].instance_of.empty())  // the text of an instance is that of its chart
+    if (chart && !model->charts[*chart].instance_of.empty())  // an instance has the text of its chart
         chart = find_chart(*model, model->charts[*chart].instance_of);
     if (!chart || !equations_of(*model, *chart, job)) return ExitCode::Input;
     const Id<Source> main = *job.sources.ids().begin(), source = model->charts[*chart].origin.source;
