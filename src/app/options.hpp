@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Options of all commands. Every command accepts a subset of them.
+// Options of all commands. Every command accepts a subset of these options.
 #pragma once
 
 #include <array>

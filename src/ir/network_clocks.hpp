@@ -47,7 +47,7 @@ struct ProcessClocks {
     std::vector<std::vector<bool>> bounded = {};  ///< true if the clock is bounded, per location and clock
     std::vector<std::int64_t> greatest = {};      ///< maximum cap per clock over all locations
     /// Greatest constant d of a comparison `clock >= d` before the next reset, per location and clock; 0 if there is no
-    /// such comparison. `clock == d` counts for `lower` and for `upper`.
+    /// such comparison. A comparison `clock == d` is included in `lower` and in `upper`.
     std::vector<std::vector<std::int64_t>> lower = {};
     /// Greatest constant d of a comparison `clock <= d` before the next reset, per location and clock; `no_upper` if
     /// there is no such comparison.

@@ -1,10 +1,10 @@
-// SPDX-License-Identifier: MIT ChartRun: a run of a closed loop in terms of its charts. For each controller, a ChartRun
-// contains the sampled inputs, the cleared transitions and the written outputs. A ChartRun also contains the moves of
-// the plant. A ChartRun does not contain elements of the translated model, such as locations of the PLC process, flags
-// and auxiliary variables. `project` (run/project.hpp) converts a run of a Network or of a TransitionSystem to a
-// ChartRun. The replay (run/replay.hpp) checks a ChartRun against the rules of IEC 60848, and `with_rows`
-// (report/trace_rows.hpp) adds the rows to be printed. All texts, diagrams and JSON data of a run are generated from a
-// ChartRun.
+// SPDX-License-Identifier: MIT
+// ChartRun: a run of a closed loop in terms of its charts. For each controller, a ChartRun contains the sampled inputs,
+// the cleared transitions and the written outputs. A ChartRun also contains the moves of the plant. A ChartRun does not
+// contain elements of the translated model, such as locations of the PLC process, flags and auxiliary variables.
+// `project` (run/project.hpp) converts a run of a Network or of a TransitionSystem to a ChartRun. The replay
+// (run/replay.hpp) checks a ChartRun against the rules of IEC 60848, and `with_rows` (report/trace_rows.hpp) adds the
+// rows to be printed. All texts, diagrams and JSON data of a run are generated from a ChartRun.
 //
 // The first entry of `moments` is power-on; each further entry is one event with the state after this event. A row
 // summarizes the events since the previous row. A search for stability lasts from the sampling of the inputs to the

@@ -1,6 +1,7 @@
-// SPDX-License-Identifier: MIT Network: timed automata with discrete data that share variables (CEP13 2.4). A Network
-// represents the closed loop for the engines and for the generation of models for other tools. Templates have
-// parameters, and processes instantiate templates. `expand` gives each process a separate template.
+// SPDX-License-Identifier: MIT
+// Network: timed automata with discrete data that share variables (CEP13 2.4). A Network represents the closed loop for
+// the engines and for the generation of models for other tools. Templates have parameters, and processes instantiate
+// templates. `expand` gives each process a separate template.
 //
 // Semantics (CEP13 section 2; urgency as in ETFA12 section 2). Processes take edges one at a time. An edge can be taken
 // if its guard and its clock constraint hold and the invariant of its target location holds after its clock resets.

@@ -15,7 +15,7 @@
 // `activation` represents this scan, which has the inputs of step 1 and does not count as a test step.
 //
 // Invariants (see verify): there is at least one sequence, and each sequence has at least one step. The numbers of
-// values match the inputs and outputs, and values are in their ranges; cycles are positive. A step with a positive
+// values match the inputs and outputs, and values are in their ranges; `cycles` is positive. A step with a positive
 // `wait_ms` changes no input and is not the first step of its sequence. `lower_bound` is at most the number of steps;
 // the two numbers are equal if the number of steps is proved minimal.
 #pragma once

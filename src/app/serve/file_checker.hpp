@@ -30,7 +30,8 @@ struct CheckedFile {
 class FileChecker {
 public:
     /// Another thread calls `changed` after every change of the state. All arguments must outlive the object. If `text`
-    /// is given, it returns the text of the file, which is not read from the disk; `refresh` reports its changes.
+    /// is given, the file is not read from the disk: `text` returns its content, and the caller reports changes by
+    /// `refresh`.
     FileChecker(const Options& options, std::function<void()> changed, std::function<std::string()> text = {});
     ~FileChecker();
     FileChecker(const FileChecker&) = delete;

@@ -1,6 +1,7 @@
-// SPDX-License-Identifier: MIT LivePage: serves a file as a page on this computer. The page of `serve` is updated after
-// every change of the file, and provides reports and simulations on request (docs/how-to/serve.md). The page of `edit`
-// also changes the file (docs/how-to/edit.md).
+// SPDX-License-Identifier: MIT
+// LivePage: serves a file as a page on this computer. The page of `serve` is updated after every change of the file,
+// and provides reports and simulations on request (docs/how-to/serve.md). The page of `edit` also changes the file
+// (docs/how-to/edit.md).
 #pragma once
 
 #include <atomic>

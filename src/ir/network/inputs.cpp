@@ -50,7 +50,8 @@ private:
         ignore_clocks(automaton(id));
     }
 
-    /// Adds the timer to InputAbstraction::deferred. A cycle may begin as if the timer had set EVOL_TI.
+    /// Adds the timer to InputAbstraction::deferred. A cycle of the PLC may begin as if the timer had set EVOL_TI, the
+    /// request of a cycle.
     void defer(Id<Network::Process> timer) {
         made_.deferred.push_back(timer);
         for (const Network::Edge& edge : automaton(timer).edges) {

@@ -1,8 +1,9 @@
-// SPDX-License-Identifier: MIT Builds a localized network. A term that reads free variables becomes a term over
-// *choices*, which are Parameter leaves while an edge is built. Each maximal subterm that reads only free variables is
-// one choice. The operands of an And or Or that read only free variables form one joint choice. The edge is then
-// instantiated for each combination of values of its choices. If there are too many combinations, each value of an
-// auxiliary variable is a single choice.
+// SPDX-License-Identifier: MIT
+// Builds a localized network. Processes and variables that this network contains are *kept*; all other variables are
+// *free*. A term that reads free variables becomes a term over *choices*, which are Parameter leaves while an edge is
+// built. Each maximal subterm that reads only free variables is one choice. The operands of an And or Or that read only
+// free variables form one joint choice. The edge is then instantiated for each combination of values of its choices. If
+// there are too many combinations, each value of an auxiliary variable is a single choice.
 #include <algorithm>
 #include <array>
 #include <map>

@@ -1,6 +1,7 @@
-// SPDX-License-Identifier: MIT `mutate`: mutation testing of a chart. The command determines which mutants are
-// equivalent, which violate a property, and which the test sequence detects. Several threads check mutants. Results are
-// stored in a file, so that a stopped run can be continued.
+// SPDX-License-Identifier: MIT
+// `mutate`: mutation testing of a chart. The command determines which mutants are equivalent, which violate a property,
+// and which the test sequence detects. Several threads check mutants. Results are stored in a file, so that a stopped
+// run can be continued.
 #include "pipeline/variants/mutate.hpp"
 
 #include <fmt/format.h>
