@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Public interface: reads charts and closed loops, and returns all models and results that are derived from them.
-// Functions are pure: they take and return plain values and keep no state between calls. The only exception is the
-// class Simulator. Calls whose arguments are different objects may run concurrently.
+// Functions take and return plain values, append to the given Diagnostics, and keep no state between calls. Only the
+// class Simulator has state. Calls whose arguments are different objects may run concurrently.
 //
 //   read_file, read_string    text -> Model (Chart, Component, ClosedLoop)
 //   equations_of              Chart -> Equations

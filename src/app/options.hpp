@@ -163,11 +163,11 @@ struct Options {
     std::optional<std::string> exclusions = {};        ///< CSV table of exclusive inputs, for `analyse`
     std::optional<std::uint64_t> random_seed = {};
     std::uint64_t steps = 100;   ///< number of steps of a random walk
-    std::string situation = {};  ///< option of `draw`: names of steps, separated by commas
-    std::uint64_t columns = 0;   ///< option of `draw`; 0 means as many as fit on a page
+    std::string situation = {};  ///< active steps in the drawing of `draw`, separated by commas
+    std::uint64_t columns = 0;   ///< number of columns of `draw`; 0 selects as many as fit on a page
     Notation notation = Notation::Iec;
-    std::uint64_t port = 0;  ///< option of `serve` and `edit`; 0 means any free port
-    bool open = false;       ///< option of `serve` and `edit`: open a browser
+    std::uint64_t port = 0;  ///< port of `serve` and `edit`; 0 selects any free port
+    bool open = false;       ///< true: `serve` and `edit` open a browser
     bool stdio = false;      ///< option of `lsp` without effect: the server always uses standard input and output
 };
 

@@ -2,12 +2,12 @@
 // Static clock analysis. Each process is analysed separately, because a clock belongs to only one process.
 //
 // At location l, a constant is relevant to a clock only if the clock can be compared with the constant before the next
-// reset of the clock. From the cap of a clock at l on, each comparison with a relevant constant has the same result for
-// all clock values; the cap is the least such value. For `clock >= c` the cap is c; for `clock <= c` and `clock == c`
-// the cap is c + 1. Clock values above the cap are replaced by the cap. A clock that cannot be compared before its next
-// reset is dead; the value of a dead clock is kept at 0. Both reductions are exact: if two states are represented by
-// the same reduced state, they have the same moves, including delays, and equal moves lead to states that also have the
-// same reduced state.
+// reset of the clock. The cap of a clock at l is the least value with this property: for all clock values from the cap
+// on, each comparison with a relevant constant has the same result. For `clock >= c` the cap is c; for `clock <= c` and
+// `clock == c` the cap is c + 1. Clock values above the cap are replaced by the cap. A clock that cannot be compared
+// before its next reset is dead; the value of a dead clock is kept at 0. Both reductions are exact: if two states are
+// represented by the same reduced state, they have the same moves, including delays, and equal moves lead to states
+// that also have the same reduced state.
 //
 // A clock is bounded at l if an invariant can limit the clock before its next reset.
 //

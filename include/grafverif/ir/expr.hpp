@@ -65,7 +65,7 @@ enum class Op : std::uint8_t {
 
 struct Expr {
     Op op = Op::False;
-    std::int64_t value = 0;   ///< number of Integer and Duration; index of the other leaves; 0 for operators
+    std::int64_t value = 0;   ///< value of an Integer or Duration; index of another leaf; 0 for an operator
     std::uint32_t first = 0;  ///< position of the first operand in the operand list; use Exprs::operands(id)
     std::uint32_t count = 0;
 };

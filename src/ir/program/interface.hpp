@@ -35,7 +35,7 @@ Chart interface_of(ProgramReference program, std::string name, Span origin);
 /// executes the statement. `sequence_tests` returns the tests of the transitions of `drawn_chart`, in order.
 struct SequenceTest {
     Id<Program::Statement> statement = {};
-    Id<Program::Unit> unit = {};  ///< unit of which this is an instance
+    Id<Program::Unit> unit = {};  ///< unit of the instance that executes the statement
     std::uint32_t frame = 0;
 };
 std::vector<SequenceTest> sequence_tests(const Program& program, const ProgramLayout& layout);
