@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Public interface: reads charts and closed loops, and returns all models and results that are derived from them.
-// Functions are pure: they take and return plain values and keep no state between calls. The only exception is the
-// class Simulator. Calls whose arguments are different objects may run concurrently.
+// Functions take and return plain values, append to the given Diagnostics, and keep no state between calls. Only the
+// class Simulator has state. Calls whose arguments are different objects may run concurrently.
 //
 //   read_file, read_string    text -> Model (Chart, Component, ClosedLoop)
 //   equations_of              Chart -> Equations
 //   network_of                ClosedLoop -> Network of timed automata
 //   transition_system_of      ClosedLoop or Chart -> TransitionSystem, untimed or with discrete time
 //   uppaal_project, nusmv_model, structured_text_of   Network, TransitionSystem or Equations -> text for other tools
-//   check, check_untimed      ClosedLoop -> Report: a Verdict per property, and the run that shows it
+//   check, check_untimed      ClosedLoop -> Report: a Verdict for each property, with a run as evidence
 //   compare                   Chart, Chart -> Comparison: the outputs are equal for all inputs, or a sequence
 //                             distinguishes the charts
 //   analysis_of               Chart -> Analysis: possible faults of the chart, and its elements that are never used
@@ -50,7 +50,7 @@
 
 namespace grafverif {
 
-// Reading
+// Reading of input files
 
 struct ReadOptions {
     /// Folders in which included files are searched, after the folder of the including file.
@@ -70,7 +70,7 @@ struct ReadOptions {
 /// Parse result: sources, diagnostics and, without errors, the model.
 struct ParseResult {
     Sources sources = {};
-    Diagnostics diagnostics = {};  ///< functions that are called with these diagnostics append to them
+    Diagnostics diagnostics = {};  ///< diagnostics of the parser; later calls with this object append their diagnostics
     std::optional<Model> model = {};
 
     /// Returns the diagnostics as text, each with its source line and a caret.
@@ -83,11 +83,11 @@ ParseResult read_file(const std::string& path, const ReadOptions& options = {});
 /// Reads a model from a string. Diagnostics use `name` as the file name of the string.
 ParseResult read_string(std::string text, const std::string& name, const ReadOptions& options = {});
 
-/// Returns the chart or closed loop with the given name.
+/// Returns the chart or closed loop with the given name, or nullopt if there is none.
 std::optional<Id<Chart>> find_chart(const Model& model, std::string_view name);
 std::optional<Id<ClosedLoop>> find_loop(const Model& model, std::string_view name);
 
-// Models
+// Translation to models
 
 /// Options for the translation of charts and closed loops. A given option overrides the value in the input file.
 struct ModelOptions {
@@ -124,7 +124,7 @@ std::string nusmv_model(const TransitionSystem& system, Diagnostics& diagnostics
 std::optional<std::string> structured_text_of(const Equations& equations, ExecutionMode mode, Diagnostics& diagnostics,
                                               bool plcopen_xml = false, std::uint32_t max_evolutions = 1000);
 
-// Proofs
+// Model checking
 
 /// Progress of a computation. `words` returns a text that describes the progress, such as `12 steps deep, 80 MiB, 3 s`.
 struct Progress {
@@ -139,7 +139,7 @@ struct Limits {
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     /// Cancellation flag; any thread, and the function `progress`, may set it.
     const std::atomic<bool>* stop = nullptr;
-    std::function<void(const Progress&)> progress = {};  ///< called periodically
+    std::function<void(const Progress&)> progress = {};  ///< called periodically with the current progress
 };
 
 struct CheckOptions {
@@ -147,13 +147,13 @@ struct CheckOptions {
     /// all steps, and `S.X7` only step 7.
     std::vector<std::string> properties = {};
     bool witnesses = true;    ///< also return a run for each `reachable` property that holds
-    bool every_move = false;  ///< also return a row for each internal move of the translation
+    bool every_move = false;  ///< also return a trace row for each auxiliary move of the generated model
     Limits limits = {};
     bool profile = false;  ///< timed engine: compute a state profile even if the search finds few states
     /// Called once by each search of the timed engine, when the search has found 2^20 states.
     std::function<void(const StateProfile&)> many = {};
-    bool whole = false;  ///< true: independent subsystems of a loop are explored as one system; false: separately
-    /// Number of threads; 0 selects one per core (untimed: at most two); the verdicts do not depend on this number.
+    bool whole = false;  ///< true: explore independent subsystems of a loop as one system; false: separately
+    /// Number of threads; does not affect the verdicts. 0 selects one thread per core, for untimed checks at most two.
     unsigned jobs = 0;
 };
 
@@ -169,7 +169,7 @@ std::optional<Report> check_untimed(const Model& model, Id<ClosedLoop> loop, con
 std::optional<Report> check_untimed(const Model& model, Id<Chart> chart, const ModelOptions& how,
                                     const CheckOptions& options, Diagnostics& diagnostics);
 
-// Charts alone
+// Charts without a closed loop
 
 /// Finds possible faults of a chart and elements that are never used, for arbitrary inputs.
 std::optional<Analysis> analysis_of(const Model& model, Id<Chart> chart, std::optional<ExecutionMode> mode,
@@ -214,7 +214,7 @@ std::optional<TestSequence> test_of(const Model& model, Id<Chart> chart, const C
 
 // Output as text and JSON
 
-/// text_of returns the text that the program prints for a result; json_of returns the result as JSON
+/// text_of returns the text that the program `grafverif` prints for a result; json_of returns the result as JSON
 /// (docs/reference/trace-format.md).
 std::string text_of(const Report& report);
 std::string json_of(const Report& report);
@@ -242,8 +242,8 @@ std::string svg_of(const MealyMachine& machine);
 // Simulation
 
 /// Simulates a closed loop, or a chart without a closed loop. The simulator is controlled by the commands of `grafverif
-/// simulate` and has the same semantics as the checks. It copies all data of the model that it needs, so the model may
-/// be destroyed before the simulator.
+/// simulate` and has the same semantics as the checks. The simulator copies all data that it needs from the model, so
+/// the model may be destroyed first.
 class Simulator {
 public:
     struct Inside;
@@ -275,7 +275,7 @@ private:
 
 std::optional<Simulator> simulator_of(const Model& model, Id<ClosedLoop> loop, const ModelOptions& options,
                                       Diagnostics& diagnostics);
-/// Returns a simulator of a chart without a closed loop. Commands set its inputs.
+/// Returns a simulator of a chart without a closed loop. The commands of the user set the inputs of the chart.
 std::optional<Simulator> simulator_of(const Model& model, Id<Chart> chart, std::optional<ExecutionMode> mode,
                                       Diagnostics& diagnostics);
 

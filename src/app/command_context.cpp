@@ -66,7 +66,7 @@ std::optional<Model> read_model(Id<Source> file, const std::string& path, Comman
         job.diagnostics.add(messages::cannot_read(folder, "the folder does not exist"));
         return {};
     }
-    const Reach reach(path == "-" ? "./-" : path,  // standard input is treated as a file in the current folder
+    const Reach reach(path == "-" ? "./-" : path,  // standard input has the permissions of a file in the current folder
                       job.options.include_folders, PermittedFolders(job.options.within));
     const auto load = [&](const std::string& included, std::string& why) -> std::optional<std::string> {
         if (job.watch != nullptr) job.watch->note(included);
@@ -157,7 +157,8 @@ bool keep_requested(ClosedLoop& loop, CommandContext& job) {
 
 namespace {
 
-/// Reports two different charts with the requested name: controllers of several closed loops may have equal names.
+/// True if all charts with the requested name are equal; otherwise adds an error. Controllers of several closed loops
+/// may have equal names.
 bool is_unique(const Model& model, std::string_view name, Diagnostics& diagnostics) {
     const Chart* first = nullptr;
     const auto written = [](const Chart& chart) { return chart.instance_of.empty() ? chart.name : chart.instance_of; };
@@ -176,7 +177,8 @@ bool is_unique(const Model& model, std::string_view name, Diagnostics& diagnosti
 
 std::optional<Id<Chart>> chosen_chart(const Model& model, CommandContext& job) {
     if (job.options.chart && !is_unique(model, *job.options.chart, job.diagnostics)) return {};
-    // Instances of charts must be named, and charts with parameters unless there are no others.
+    // Without `--chart`, an instance of a chart is never selected, and a chart with parameters only if all charts have
+    // parameters.
     for (const bool with_parameters : {false, true}) {
         std::vector<Id<Chart>> found;
         for (const Id<Chart> id : model.charts.ids())

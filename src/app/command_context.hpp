@@ -89,8 +89,8 @@ std::optional<Model> read_model(Id<Source> file, const std::string& path, Comman
 bool is_of_a_chart(const Model& model, const Options& options);
 /// Returns the loop that the options select; by default, the only loop of the model.
 std::optional<Id<ClosedLoop>> chosen_loop(const Model& model, CommandContext& job);
-/// If `--property` is given, keeps only the properties that it names. Returns false after an error: a property named by
-/// `--property` does not exist.
+/// If `--property` is given, keeps only the properties that it names. Returns false after an error: `--property` names
+/// a property that does not exist.
 bool keep_requested(ClosedLoop& loop, CommandContext& job);
 /// Returns the chart that the options select; by default, the only chart of the model.
 std::optional<Id<Chart>> chosen_chart(const Model& model, CommandContext& job);

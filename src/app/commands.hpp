@@ -84,7 +84,8 @@ CliCommand test_usage();
 CliCommand manual_usage();
 CliCommand completion_usage();
 
-/// Appends a list of the written files to the closing text. `build` calls it after it has written its results.
+/// Appends a list of the written files to the closing text. `build` calls this function after it has written its
+/// results.
 void list_products(CommandContext& job);
 
 /// Returns the exit code for the result of a comparison.

@@ -50,7 +50,7 @@ Report certified_by_pdr(const SystemToCheck& system, const CommandContext& job, 
     return check_states(system, options, search);
 }
 
-/// Adds the verdicts that no invariant of PDR proves to the omitted verdicts of the certificate.
+/// Adds each verdict that no invariant of PDR proves to the list of omitted verdicts in the certificate.
 void note_omitted(const Report& report, Certificate& certificate) {
     for (const PropertyResult& answer : report.answers)
         if (const std::string& name = answer.verdict.property;
@@ -144,7 +144,7 @@ void try_remedies(const Model& model, CommandContext& job, const ResourceLimits&
 
 /// Creates the certificate of a timed check.
 void add_certificate(const Model& model, const CommandContext& job, const CheckOptions& options, Decided& decided) {
-    Diagnostics reported;  // the check has already reported them
+    Diagnostics reported;  // the check has already reported these diagnostics
     const auto network = grafverif::network_of(
         model, decided.loop, ComposeOptions{job.options.grain, job.options.mode, job.options.without}, reported);
     if (!network) return;

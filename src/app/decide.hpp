@@ -16,7 +16,7 @@ namespace grafverif::app {
 
 struct Decided {
     Report report = {};
-    std::vector<Trial> trials = {};  ///< trials of remedies, if a limit ended the check
+    std::vector<Trial> trials = {};  ///< checks with other options (remedies), if a limit ended the check
     Id<ClosedLoop> loop = {};        ///< the loop; invalid for a chart without a loop
     Id<Chart> chart = {};            ///< the chart, if it was checked without a loop; otherwise invalid
     bool timed = false;
@@ -32,8 +32,8 @@ std::optional<CertificateSummary> certificate_summary(const Decided& decided, co
 std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceLimits& bounds, bool witnesses,
                               const Streams& streams);
 
-/// Decides the properties of a PLC program with the property file of the options. Returns the verdicts and a model whose
-/// only chart represents the program, or nothing after an error.
+/// Decides the properties of a PLC program with the property file of the options. Returns the verdicts and a model
+/// whose only chart represents the program, or nothing after an error.
 std::optional<std::pair<Model, Decided>> decide_program(CommandContext& job, ResourceLimits& bounds, bool witnesses);
 
 /// Returns the exit code that the verdicts of a report imply.

@@ -22,7 +22,7 @@ struct Rules {
 constexpr Rules rules_of(DepfileSide side, DepfileReader reader) {
     const bool result = side == DepfileSide::Result;
     switch (reader) {
-    // These rules also exclude or escape the characters by which Make denotes patterns, order-only prerequisites,
+    // The rules of Make also exclude or escape the characters by which Make denotes patterns, order-only prerequisites,
     // wildcards, grouped targets and archives. Make keeps a backslash before a wildcard.
     case DepfileReader::Make:
         return result ? Rules{" #:%", " #:%", "*?[\t;=", "~", "&)"} : Rules{" \t#:|", " \t#:|", "*?[;=", "~", " \t\\)"};

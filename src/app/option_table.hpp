@@ -16,7 +16,8 @@ struct Option {
     std::string name = {};   ///< long name and, if any, short name: `output,o`
     std::string value = {};  ///< placeholder of its value in the help; empty for a switch, which has no value
     std::string help = {};   ///< help text; if empty, the help does not show the option
-    /// Stores the given values, or the fact that the option was given. Returns an error message or an empty string.
+    /// Stores the given values in the options. For a switch, stores that the switch was given. Returns an error message
+    /// or an empty string.
     std::function<std::string(const std::vector<std::string>&, Options&)> take = {};
     bool repeated = false;
     /// True: the value must be a separate argument, because a file may have the name `--NAME=COMMAND`.

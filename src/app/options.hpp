@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Options of all commands. Every command accepts a subset of them.
+// Options of all commands. Every command accepts a subset of these options.
 #pragma once
 
 #include <array>
@@ -72,7 +72,7 @@ struct StOptions {
 };
 
 struct Options {
-    std::vector<std::string> operands = {};  ///< FILE operands, or NAME for `components`
+    std::vector<std::string> operands = {};  ///< operands: FILE, or NAME for `components`
     std::optional<std::string> output = {};  ///< value of -o
     std::optional<std::string> name = {};    ///< name of the files that `build` writes
     bool create = false;                     ///< true: create missing output folders
@@ -81,15 +81,15 @@ struct Options {
     bool all = false;                                  ///< true: process all loops or charts of a file
     std::optional<std::string> loop = {};
     std::optional<std::string> chart = {};
-    std::optional<std::string> other_chart = {};      ///< option of `compare`
-    bool all_modes = false;                           ///< option of `compare`
-    std::optional<std::string> from_situation = {};   ///< option of `compare`: names of steps, separated by commas
-    std::optional<std::uint64_t> resolution_ms = {};  ///< option of `compare` and `st`
-    bool settled = false;                             ///< option of `compare`: compare after programs have settled
-    bool imported_charts = false;                     ///< option of `compare`: import charts of IEC 61131-3
+    std::optional<std::string> other_chart = {};      ///< chart of OTHER (`--other-chart` of `compare`)
+    bool all_modes = false;                           ///< true: compare in each execution mode
+    std::optional<std::string> from_situation = {};   ///< initial steps for `compare`, separated by commas
+    std::optional<std::uint64_t> resolution_ms = {};  ///< `--resolution` of `compare` and `st`
+    bool settled = false;                             ///< `compare`: compare outputs after programs have settled
+    bool imported_charts = false;                     ///< true: use the charts that `import` creates from programs
     std::vector<std::string> renamings = {},
-                             ignored_outputs = {};  ///< options of `compare`; renamings also of `replay`
-    std::string stop_output = {};                   ///< option of `compare`
+                             ignored_outputs = {};  ///< `--map` of `compare` and `replay`; `--ignore` of `compare`
+    std::string stop_output = {};                   ///< `--stop-output` of `compare`
     std::optional<ExecutionMode> mode = {};
     std::optional<Grain> grain = {};
     CycleTime cycle = CycleTime::Task;
@@ -114,60 +114,60 @@ struct Options {
     std::map<std::string, std::string> constants = {};  ///< values of --set: constants of loops by name
     bool verbose = false;
     bool stats = false;
-    bool why = false;  ///< option of `check`
+    bool why = false;  ///< true: `check` explains the proofs
     TuneOptions tune = {};
     FaultsOptions faults = {};
     StOptions st = {};
     bool help = false;
 
     std::vector<std::string> properties = {};       ///< option of `check`: names of properties; all if empty
-    std::optional<std::string> property_file = {};  ///< option of `check`: if present, the operands are PLC programs
-    std::string marked = {};                        ///< option of `supervise`: a term
+    std::optional<std::string> property_file = {};  ///< for `check` of PLC programs: YAML file of the properties
+    std::string marked = {};                        ///< condition that `supervise` keeps reachable
     /// Option of `supervise`: the elements to which conditions are added.
     Held held = Held::Both;
     Engine engine = Engine::Embedded;
     bool whole = false;               ///< true: do not decide independent subsystems or fragments separately
     unsigned jobs = 0;                ///< number of threads; 0 selects one per core
-    std::string engine_command = {};  ///< command for Engine::Hwmcc
+    std::string engine_command = {};  ///< shell command that Engine::Hwmcc executes
     bool check_untimed = false;       ///< true: check untimed models
     Ablations without = {};           ///< corrections of the method that are disabled
-    std::vector<std::string> disabled_corrections = {};  ///< names of the disabled corrections
+    std::vector<std::string> disabled_corrections = {};  ///< names of the corrections in `without`
     std::optional<std::uint64_t> max_states = {};
-    std::optional<std::uint64_t> max_steps = {};   ///< limit for Engine::Bmc
-    std::optional<std::uint64_t> max_memory = {};  ///< limit in bytes
-    std::optional<std::uint64_t> timeout_ms = {};  ///< limit in milliseconds; at most a hundred years
+    std::optional<std::uint64_t> max_steps = {};   ///< maximum length of a trace for Engine::Bmc
+    std::optional<std::uint64_t> max_memory = {};  ///< memory limit in bytes
+    std::optional<std::uint64_t> timeout_ms = {};  ///< time limit in milliseconds; at most a hundred years
     std::optional<std::chrono::steady_clock::time_point> deadline = {};  ///< the time limit as a point in time
     std::optional<std::string> junit = {}, sarif = {};
-    bool list = false;                                           ///< option of `check`: list the properties
-    std::optional<std::string> state_file = {}, survivors = {};  ///< options of `mutate`
-    std::optional<std::uint64_t> limit = {},
-                                 /// Options of `mutate`: maximum number of mutants; time limit for each mutant.
-        mutant_timeout_ms = {};
-    std::uint64_t seed = 1;  ///< option of `mutate`
-    std::string date = {};   ///< option of `report`: the displayed date
+    bool list = false;                                           ///< true: `check` only lists the properties
+    std::optional<std::string> state_file = {}, survivors = {};  ///< output of `mutate`: results, undetected mutants
+    /// Options of `mutate`: maximum number of mutants; time limit for each mutant in milliseconds.
+    std::optional<std::uint64_t> limit = {}, mutant_timeout_ms = {};
+    std::uint64_t seed = 1;  ///< seed of `mutate` for the selection of mutants
+    std::string date = {};   ///< date that the HTML report of `report` shows
     std::optional<std::string> trace_vcd = {}, trace_svg = {};
-    std::optional<std::string> certificate = {};  ///< option of `check`: folder of the certificate
+    std::optional<std::string> certificate = {};  ///< folder in which `check` writes a certificate
     EventRange events = {};                       ///< range of events that the timing diagram shows
     std::string against = {};                     ///< option of `test`: the command that runs the controller under test
     /// File with the table of a test. If this member is empty, `test` generates the test from the chart.
     std::optional<std::string> sequence = {};
-    /// Time limit in milliseconds for one response (`test`), for one check (`serve`, `edit` and `lsp`) or for one call (`mcp`).
+    /// Time limit in milliseconds: for one response (`test`), one check (`serve`, `edit` and `lsp`) or one call
+    /// (`mcp`).
     std::optional<std::uint64_t> response_timeout_ms = {};
-    bool stop_on_failure = false, keep_going = false;  ///< options of `test`
-    std::optional<std::string> open_psa = {};          ///< option of `faults`
+    bool stop_on_failure = false, keep_going = false;  ///< options of `test`: stop or continue after a failure
+    std::optional<std::string> open_psa = {};          ///< fault tree that `faults` writes
     std::optional<std::string> page = {};              ///< HTML report of `check`, `faults`, `replay` and `tune`
-    std::optional<std::string> log = {};               ///< option of `replay`
-    std::optional<std::uint64_t> jitter_ms = {};       ///< option of `replay` and `monitor`
-    std::vector<std::string> skews = {};               ///< option of `replay` and `monitor`
-    std::optional<std::string> script = {};            ///< option of `simulate`
-    std::optional<std::string> exclusions = {};        ///< option of `analyse`
+    std::optional<std::string> log = {};               ///< recording that `replay` checks
+    std::optional<std::uint64_t> jitter_ms = {};       ///< maximum time error of a recording (`--jitter`)
+    std::vector<std::string> skews = {};               ///< clock offsets of a recording (`--skew`)
+    std::optional<std::string> script = {};            ///< script file of `simulate`
+    std::optional<std::string> exclusions = {};        ///< CSV table of exclusive inputs, for `analyse`
     std::optional<std::uint64_t> random_seed = {};
     std::uint64_t steps = 100;   ///< number of steps of a random walk
-    std::string situation = {};  ///< option of `draw`: names of steps, separated by commas
-    std::uint64_t columns = 0;   ///< option of `draw`; 0 means as many as fit on a page
+    std::string situation = {};  ///< active steps in the drawing of `draw`, separated by commas
+    std::uint64_t columns = 0;   ///< number of columns of `draw`; 0 selects as many as fit on a page
     Notation notation = Notation::Iec;
-    std::uint64_t port = 0;  ///< option of `serve` and `edit`; 0 means any free port
-    bool open = false;       ///< option of `serve` and `edit`: open a browser
+    std::uint64_t port = 0;  ///< port of `serve` and `edit`; 0 selects any free port
+    bool open = false;       ///< true: `serve` and `edit` open a browser
     bool stdio = false;      ///< option of `lsp` without effect: the server always uses standard input and output
 };
 
@@ -180,8 +180,7 @@ struct PathOption {
     PathUse use = PathUse::Written;
 };
 
-/// Lists every option that names a file or folder, except `--include` and `--within`. `--output` of
-/// `build` is a folder.
+/// Every option that names a file or folder, except `--include` and `--within`. For `build`, `--output` names a folder.
 inline constexpr std::array path_options = {
     PathOption{"output", &Options::output, PathUse::Written},
     PathOption{"junit", &Options::junit, PathUse::Written},
@@ -278,7 +277,7 @@ struct CliCommand {
     std::string operand = {};  ///< operand in the usage line: `FILE`, `FILE...`, `[NAME]`
     std::size_t least_operands = 1, most_operands = 1;
     std::string summary = {};      ///< one line for the list of commands
-    std::string description = {};  ///< text for --help
+    std::string description = {};  ///< text that the help of the command shows
     std::vector<std::string> examples = {};
     std::vector<OptionGroup> accepts = {};
 };

@@ -25,8 +25,8 @@ bool writes_files(const Options& options);
 
 /// Checks that the options name distinct files as outputs. Returns false after an error.
 bool outputs_differ(CommandContext& job);
-/// Checks that no output is named after a format that the command does not write (`draw -o x.png`). Returns false after
-/// an error.
+/// Checks that no output has the extension of a format that the command does not write, as in `draw -o x.png`. Returns
+/// false after an error.
 bool formats_are_written(std::string_view verb, CommandContext& job);
 /// Checks that the folders of the outputs exist or may be created. Returns false after an error. `folder` is true if
 /// `-o` names a folder.

@@ -20,16 +20,17 @@ namespace grafverif::app {
 
 /// The results of all executions of one invocation.
 struct Reports {
-    std::string suites = {};  ///< test suites for JUnit
+    std::string suites = {};  ///< text of the test suites in the JUnit report
     SarifLog sarif = {};
-    std::vector<OutputFile> files = {};  ///< files of traces
+    std::vector<OutputFile> files = {};  ///< trace files to be written
 };
 
 /// Returns `content` as an HTML report with the file, the options and the warnings of the command.
 std::string report_page(PageContent content, const CommandContext& job);
 
-/// Returns the content of the report about the verdicts of `decided`, without these verdicts, and with the analyses of
-/// the charts. `chart` is the chart of the report if `decided` is not about a loop. Returns nothing after an error.
+/// Returns the content of the HTML report about `decided`, except the verdicts: the drawings and analyses of the
+/// charts, and the summary of the certificate. `chart` is the chart of the report if `decided` is not about a loop.
+/// Returns nothing after an error.
 std::optional<PageContent> verdict_content(const Model& model, const Decided& decided, Id<Chart> chart,
                                            CommandContext& job, const ResourceLimits& bounds);
 /// True if the analysis of a chart has an internal error.

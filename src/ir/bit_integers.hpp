@@ -94,8 +94,7 @@ Integer<Bit> product(const Integer<Bit>& left, const Integer<Bit>& right) {
     Integer<Bit> result = constant<Bit>(0);
     for (std::size_t place = 0; place < right.size(); ++place) {
         const Integer<Bit> part = shifted(masked(right[place], left), place);
-        result = place + 1 < right.size() ? sum(result, part) : difference(result, part);  // the sign bit has negative
-                                                                                           // weight
+        result = place + 1 < right.size() ? sum(result, part) : difference(result, part);  // sign bit: negative weight
     }
     return result;
 }

@@ -9,7 +9,7 @@
 // Under each assignment, a term has a value if and only if `evaluate` (ir/expr.hpp) returns a value, and the two values
 // are equal. `undefined` is true for assignments for which the term has no value, because of a division by zero or a
 // result outside 64 bits. As in `evaluate`, `undefined` ignores the operands of an `and` or `or` after the first
-// operand that determines the result. It also ignores the branch that a conditional does not select.
+// operand that determines the result. `undefined` also ignores the branch that a conditional does not select.
 #pragma once
 
 #include <cassert>
@@ -92,8 +92,7 @@ BitTerm<Bit> conditional(const BitTerm<Bit>& condition, const BitTerm<Bit>& then
 template <class Bit>
 class BitTerms {
 public:
-    /// `leaf` translates a leaf (is_leaf; not an edge). `exprs`, and all objects that `leaf` uses, must outlive this
-    /// object.
+    /// `leaf` translates a leaf (see is_leaf). `exprs`, and all objects that `leaf` uses, must outlive this object.
     BitTerms(const Exprs& exprs, std::function<BitTerm<Bit>(const Expr&)> leaf)
         : exprs_(exprs), leaf_(std::move(leaf)) {}
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// CertificateSummary: the verdicts that a certificate proves, and how (docs/how-to/certificates.md).
+// CertificateSummary: the verdicts that a certificate proves, and the type of each proof (docs/how-to/certificates.md).
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,8 @@
 
 namespace grafverif {
 
-/// What proves a verdict. WitnessCircuit: the circuit of an inductive invariant of an untimed model.
+/// Type of a proof of a verdict. States: an inductive set of states. Run: one run. WitnessCircuit: the circuit of an
+/// inductive invariant of an untimed model.
 enum class CertificateKind : std::uint8_t { States, Run, WitnessCircuit };
 
 constexpr std::string_view word(CertificateKind kind) {
@@ -26,9 +27,9 @@ struct CertificateSummary {
     struct Omitted {
         std::string property = {}, reason = {};
     };
-    std::string folder = {};                  ///< the folder of the files
+    std::string folder = {};                  ///< folder that contains the files of the certificate
     std::vector<std::string> certified = {};  ///< names of the properties whose verdicts the files prove
-    std::vector<CertificateKind> kinds = {};  ///< for each element of `certified`
+    std::vector<CertificateKind> kinds = {};  ///< type of proof for each element of `certified`
     std::vector<Omitted> omitted = {};
 };
 

@@ -28,8 +28,8 @@ ReadTerms read_terms(const Chart& chart) {
         read.terms[action.value.index] = true;
         if (action.event.valid()) read.terms[action.event.index] = true;
     }
-    // The order is reversed, because operands precede their terms, and the observed term of a time condition precedes
-    // the time condition.
+    // The loop visits the terms in reverse order: operands precede the terms that contain them, and the observed term
+    // of a time condition precedes the time condition.
     for (auto index = static_cast<std::uint32_t>(chart.exprs.size()); index-- > 0;) {
         if (!read.terms[index]) continue;
         const Expr& node = chart.exprs[Id<Expr>{index}];
@@ -43,7 +43,7 @@ ReadTerms read_terms(const Chart& chart) {
 
 namespace {
 
-/// Collects violated invariants.
+/// Collects descriptions of the violated invariants of a chart.
 struct ChartFaults {
     Sorts sorts;
     std::vector<std::string> found = {};
@@ -65,8 +65,8 @@ bool leaf_in_table(const Chart& chart, const Expr& leaf) {
     }
 }
 
-/// Returns the sort of a leaf or edge; None if the leaf refers to an undeclared element. Durations are not allowed,
-/// because they occur only in time conditions.
+/// Returns the sort of a leaf or of an edge operator (Rise, Fall). Returns None if the leaf refers to an undeclared
+/// element, or if it is a duration, because durations occur only in time conditions.
 Sort leaf_sort(const Chart& chart, const Expr& leaf) {
     if (leaf.op == Op::Rise || leaf.op == Op::Fall) return Sort::Boolean;
     if (!leaf_in_table(chart, leaf)) return Sort::None;

@@ -81,7 +81,7 @@ void check_argument(ClosedLoopChecker& checker, const ClosedLoop::Instance& inst
     if (input) read[shared->index] = true;
 }
 
-/// Counts the instances that write each variable, and determines which variables they read.
+/// Checks an instance. Counts it as a writer of its outputs in `writers`, and marks its inputs in `read`.
 void check_instance(ClosedLoopChecker& checker, const ClosedLoop::Instance& instance, std::vector<int>& writers,
                     std::vector<bool>& read) {
     checker.check(checker.model.components.contains(instance.component),

@@ -20,7 +20,7 @@ struct EquationsCheck {
                     return sort_of(equations.variables[{static_cast<std::uint32_t>(leaf.value)}].type);
                 }};
     std::vector<bool> reads_firing = {};  ///< for each term: true if it contains a firing condition
-    std::vector<int> defined = {};        ///< number of equations per variable
+    std::vector<int> defined = {};        ///< number of equations for each variable
 
     void fault(std::string text) { faults.push_back(std::move(text)); }
 
@@ -142,7 +142,7 @@ struct EquationsCheck {
         define(stored.variable, stored.next, "the stored value");
         if (!known(stored.variable)) return;
         const Equations::Variable& variable = equations.variables[stored.variable];
-        const bool is_time = equations.is_program && variable.role == Role::Previous;  // hidden from results
+        const bool is_time = equations.is_program && variable.role == Role::Previous;  // not shown in reports
         if (variable.role != Role::Internal && variable.role != Role::Output && !is_time)
             fault(name(stored.variable) + " has an equation of a type that its role does not permit");
         condition(stored.race, Sort::Boolean, "the race condition of " + name(stored.variable));

@@ -20,7 +20,7 @@ struct FaultAnalysis {
     /// A property that a fault violates and that holds without faults.
     struct Observer {
         std::string property = {};  ///< its declaration, such as `property detects_A: never S1 && !S2 at stable;`
-        /// Holds: in every run in which the fault occurs, the property is violated after this time.
+        /// Holds if, in every run in which the fault occurs, the property is violated after the fault has occurred.
         Outcome in_every_run = Outcome::Unknown;
         std::optional<std::int64_t> within_ms = {};  ///< the longest time from the fault to the violation
         bool operator==(const Observer&) const = default;
@@ -33,16 +33,16 @@ struct FaultAnalysis {
         /// Elements that are true in some reachable state without faults, but in no reachable state if the fault is
         /// present from power-on.
         std::vector<std::string> never_true = {};
-        /// If the fault is present from power-on: the outcome of the property that it is inevitable that an element of
-        /// `newly_true` becomes true.
+        /// Outcome of the query: if the fault is present from power-on, some element of `newly_true` becomes true in
+        /// every run.
         Outcome always_shown = Outcome::Unknown;
-        /// Holds: in every run in which the fault occurs, an element of `newly_true` becomes true afterwards.
+        /// Holds if, in every run in which the fault occurs, an element of `newly_true` becomes true after the fault.
         Outcome detected = Outcome::Unknown;
-        std::optional<std::int64_t> within_ms = {};  ///< the longest time from the fault to such an element
-        /// A property that reveals the fault, if not every run with the fault is detected by steps and outputs.
+        std::optional<std::int64_t> within_ms = {};  ///< maximum time from the fault to the event in `detected`
+        /// A property that reveals the fault, if steps and outputs do not reveal the fault in every run.
         std::optional<Observer> observer = {};
-        /// The limit that the search for this property has reached, such as `the search for an observer tried 6 of 14
-        /// conditions`; empty if it has reached none.
+        /// The limit that the search for `observer` has reached, such as `the search for an observer tried 6 of 14
+        /// conditions`; empty if the search has reached no limit.
         std::string observer_limit = {};
         bool decided = false;  ///< false: the search was stopped, and the lists are incomplete
         bool operator==(const Visible&) const = default;
@@ -98,7 +98,7 @@ struct FaultAnalysis {
     std::vector<Error> errors = {};
     std::size_t combinations = 0;  ///< number of combinations of at most `order` faults
     std::size_t checks = 0;        ///< number of checks of models of the loop, including the check without faults
-    std::vector<std::string> failures = {};  ///< internal errors
+    std::vector<std::string> failures = {};  ///< internal errors of the analysis
 };
 
 }  // namespace grafverif

@@ -11,7 +11,7 @@ namespace {
 
 using System = TransitionSystem;
 
-/// A symbol of main (with an invalid instance) or of an instance.
+/// Site: a symbol, and the instance that contains it. The instance is invalid for a symbol of main.
 struct Site {
     Id<System::Instance> instance = {};
     Id<System::Symbol> symbol = {};
@@ -64,7 +64,7 @@ private:
         known_[index(site)] = flat_.exprs.leaf(Op::Variable, id.index);
     }
 
-    /// Returns the sites that the definition of `site` reads.
+    /// Returns the sites (symbols of main or of instances) that the definition of `site` reads.
     std::vector<Site> sources(Site site) const {
         return std::visit(
             overloaded{
@@ -85,8 +85,8 @@ private:
             symbol(site).kind);
     }
 
-    /// Computes the value of `wanted` after the values of all sites that its definition reads. The traversal is
-    /// iterative, because chains of definitions can be arbitrarily long.
+    /// Computes the value of `wanted` after the values of all sites (symbols) that its definition reads. The
+    /// traversal is iterative, because chains of definitions can be arbitrarily long.
     void resolve(Site wanted) {
         std::vector<Site> open{wanted};
         while (!open.empty()) {
@@ -95,7 +95,7 @@ private:
             if (!known_[index(site)].valid())
                 for (const Site source : sources(site))
                     if (!known_[index(source)].valid()) open.push_back(source);
-            assert(open.size() <= known_.size() * known_.size() + 1);  // definitions are acyclic
+            assert(open.size() <= known_.size() * known_.size() + 1);  // holds because definitions are acyclic
             if (open.size() != before) continue;
             open.pop_back();
             if (known_[index(site)].valid()) continue;
@@ -130,8 +130,8 @@ private:
 
     const System& system_;
     FlatSystem flat_ = {};
-    std::vector<std::size_t> offsets_ = {};  ///< index of the first symbol per instance
-    std::vector<Id<Expr>> known_ = {};       ///< value per site
+    std::vector<std::size_t> offsets_ = {};  ///< index of the first symbol of each instance in `known_`
+    std::vector<Id<Expr>> known_ = {};       ///< value of each site as a term over the variables of the flat system
 };
 
 }  // namespace

@@ -38,7 +38,7 @@ struct FlatSystem {
     bool operator==(const FlatSystem&) const = default;
 };
 
-/// Flattens a system. Requires verify(system).empty().
+/// Converts a system to a FlatSystem. Requires verify(system).empty().
 FlatSystem flattened(const TransitionSystem& system);
 
 /// Translates `term`, over the symbols of the system's main module, to a term over the variables of `flat`, stored in
@@ -47,10 +47,10 @@ Id<Expr> flattened(const TransitionSystem& system, FlatSystem& flat, Id<Expr> te
 
 /// Names that an external program uses when it prints a run of a generated model.
 struct SystemSpelling {
-    std::vector<std::string> variables = {};  ///< names of flattened(system).variables
+    std::vector<std::string> variables = {};  ///< name of each element of flattened(system).variables
     std::vector<std::vector<std::string>> values =
         {};  ///< for each variable: names of its values, beginning with type.low; empty if the values are numbers
-    std::vector<std::string> properties = {};  ///< names of system.properties
+    std::vector<std::string> properties = {};  ///< name of each element of system.properties
 
     bool operator==(const SystemSpelling&) const = default;
 };

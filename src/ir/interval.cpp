@@ -46,8 +46,8 @@ Interval quotient(Interval a, Interval b) {
     return {-bound, bound};
 }
 
-/// A remainder has the sign of the dividend. Its magnitude is at most the magnitude of the dividend and less than the
-/// magnitude of the divisor.
+/// A remainder has the sign of the dividend. The magnitude of a remainder is at most the magnitude of the dividend and
+/// less than the magnitude of the divisor.
 Interval remainder(Interval a, Interval b) {
     const std::int64_t bound = std::min(magnitude(a), std::max<std::int64_t>(magnitude(b) - 1, 0));
     return {a.low < 0 ? -bound : 0, a.high > 0 ? bound : 0};

@@ -11,7 +11,7 @@
 
 namespace grafverif {
 
-/// Returns the type of the variable of a leaf.
+/// A function that returns the type of the variable of a leaf.
 using TypeOf = std::function<Type(const Expr&)>;
 
 struct Interval {

@@ -18,7 +18,7 @@ struct Mutant {
     std::string subject = {};  ///< mutated element, such as `transition t3` or `step 2`
     /// Text of the mutated declaration before and after the mutation, on one line.
     std::string before = {}, after = {};
-    Span where = {};        ///< position in the original file
+    Span where = {};        ///< position of the mutation in the original file
     std::string text = {};  ///< complete text of the mutated file
 };
 
@@ -42,7 +42,7 @@ struct MutantResult {
     std::optional<bool> caught = {};          ///< true if the test sequence kills the mutant; empty if no test was run
     /// Length of a sequence of scans that distinguishes the mutant from the original; 0 if none was found.
     std::size_t scans = 0;
-    std::vector<std::string> failures = {};  ///< internal errors
+    std::vector<std::string> failures = {};  ///< internal errors of the check of this mutant
 };
 
 struct Mutation {
@@ -58,7 +58,7 @@ struct Mutation {
     std::vector<std::string> vacuous = {};  ///< properties that hold vacuously for the original
     /// Properties whose verdict for the original is unknown; these properties are not checked for the mutants.
     std::vector<std::string> undecided = {};
-    std::optional<std::size_t> test_steps = {};  ///< length of the test sequence
+    std::optional<std::size_t> test_steps = {};  ///< length of the test sequence, if one was generated
     std::string no_test = {};                    ///< error code if no test sequence was generated
 };
 

@@ -14,7 +14,7 @@ std::int64_t constant(const Network& network, Id<Expr> bound) {
     return std::clamp(value.value_or(0), -ClockInterval::unbounded, ClockInterval::unbounded);
 }
 
-/// Returns the least clock value from which on the result of the comparison is constant (see the header).
+/// Returns the cap for one comparison: the least value from which on the result is the same for all clock values.
 std::int64_t cap_of(const ClockInterval& interval) {
     if (interval.high >= ClockInterval::unbounded) return std::max<std::int64_t>(interval.low, 0);
     return std::max<std::int64_t>(interval.high + 1, 0);

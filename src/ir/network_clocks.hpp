@@ -2,17 +2,17 @@
 // Static clock analysis. Each process is analysed separately, because a clock belongs to only one process.
 //
 // At location l, a constant is relevant to a clock only if the clock can be compared with the constant before the next
-// reset of the clock. The cap of a clock at l is the least value such that all comparisons with relevant constants have
-// the same result for all larger values. For `clock >= c` the cap is c; for `clock <= c` and `clock == c` it is c + 1.
-// Clock values above the cap are replaced by the cap. A clock that cannot be compared before its next reset is dead;
-// the value of a dead clock is kept at 0. Both reductions are exact: if two states are represented by the same reduced
-// state, they have the same moves, including delays, and equal moves lead to states that also have the same reduced
-// state.
+// reset of the clock. The cap of a clock at l is the least value with this property: for all clock values from the cap
+// on, each comparison with a relevant constant has the same result. For `clock >= c` the cap is c; for `clock <= c` and
+// `clock == c` the cap is c + 1. Clock values above the cap are replaced by the cap. A clock that cannot be compared
+// before its next reset is dead; the value of a dead clock is kept at 0. Both reductions are exact: if two states are
+// represented by the same reduced state, they have the same moves, including delays, and equal moves lead to states
+// that also have the same reduced state.
 //
 // A clock is bounded at l if an invariant can limit the clock before its next reset.
 //
-// The greatest relevant constants of lower bounds and of upper bounds are also computed separately. These constants
-// determine if a state with one clock value simulates a state with another clock value
+// The greatest relevant constants of lower bounds and of upper bounds are also computed separately. The greatest
+// constants determine if a state with one clock value simulates a state with another clock value
 // (check/timed/store/covering.hpp).
 #pragma once
 
@@ -47,7 +47,7 @@ struct ProcessClocks {
     std::vector<std::vector<bool>> bounded = {};  ///< true if the clock is bounded, per location and clock
     std::vector<std::int64_t> greatest = {};      ///< maximum cap per clock over all locations
     /// Greatest constant d of a comparison `clock >= d` before the next reset, per location and clock; 0 if there is no
-    /// such comparison. `clock == d` counts for `lower` and for `upper`.
+    /// such comparison. A comparison `clock == d` is included in `lower` and in `upper`.
     std::vector<std::vector<std::int64_t>> lower = {};
     /// Greatest constant d of a comparison `clock <= d` before the next reset, per location and clock; `no_upper` if
     /// there is no such comparison.

@@ -60,14 +60,14 @@ Relaxation relaxation_of(const Network& frame, const std::vector<const ClockCons
 Network network_of(const Network& frame, const ClockConstants& constants);
 Network network_of(const Network& frame, const Relaxation& relaxation);
 
-/// Static facts about the clocks of a network. They determine which verdicts on a relaxation are also verdicts on its
-/// members.
+/// Static facts about the clocks of a network. These facts determine which verdicts on a relaxation are also verdicts
+/// on its members.
 class ClockFacts {
 public:
     explicit ClockFacts(const Network& network);
 
     /// True if a proof of `no timelock` for `relaxation`, by the conditions of docs/explanation/timed-engine.md
-    /// ("Exactness", 4), is also a proof for this member. This is the case if two conditions hold: each edge that
+    /// ("Exactness", 4), is also a proof for this member. The result is true if two conditions hold: each edge that
     /// releases a bound of an invariant in the relaxation also releases this bound in the member; and each bound that
     /// is positive in the relaxation is positive in the member.
     bool releases_bounds_of(const ClockFacts& relaxation) const;

@@ -40,8 +40,8 @@ struct NetworkFragments {
 /// Computes the fragments of `network`. Requires that `network` is expanded.
 NetworkFragments cells_of(const Network& network);
 
-/// Premises of the over-approximation. If a member is true, the premise is dropped, so that tests can show that the
-/// premise is necessary.
+/// Ablations of the premises of the over-approximation. If a member is true, one premise is dropped, so that tests can
+/// show that this premise is necessary.
 struct LocalAblations {
     /// True: an urgent edge stops time even if it is enabled for only some values of the free variables.
     bool urgent_where_possible = false;

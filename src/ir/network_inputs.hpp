@@ -50,8 +50,8 @@ namespace grafverif {
 
 enum class InputLevel : std::uint8_t { Chosen, Untimed, Paced, Complete };
 
-/// Premises of the input abstraction. If a member is true, the premise is dropped, so that tests can show that the
-/// premise is necessary.
+/// Ablations of the premises of the input abstraction. If a member is true, one premise is dropped, so that tests can
+/// show that this premise is necessary.
 struct InputAblations {
     bool no_cycle_on_change = false;  ///< a change of a Chosen instance does not begin a cycle
     bool initial_values = false;      ///< Chosen instances keep their initial outputs
@@ -68,10 +68,10 @@ struct InputAblations {
     bool ignore_evolutions = false;  ///< evolutions of a PLC need not end
     bool search_evolutions = false;  ///< not a premise: a search proves that evolutions end, instead of evolutions_end
     // Premises of PossibleProof (check/inputs/possible.hpp):
-    bool one_bound = false;         ///< rule 3 is applied to only one bound of an invariant
-    bool any_edge = false;          ///< the edges in the rules need not be possible for all values of the clocks
-    bool need_not_return = false;   ///< instances of the panel need not be able to return
-    bool need_not_diverge = false;  ///< time need not diverge
+    bool one_bound = false;         ///< rule 3 of possible.hpp is applied to only one bound of an invariant
+    bool any_edge = false;          ///< edges in the rules of possible.hpp need not be possible for all clock values
+    bool need_not_return = false;   ///< panel instances (possible.hpp) need not be able to return
+    bool need_not_diverge = false;  ///< the proof does not require that time diverges
     // Premises of prove_response (check/inputs/response.hpp):
     bool need_not_take_time = false;  ///< runs with infinitely many moves in bounded time are permitted
     bool round_inward = false;  ///< clock bounds of observers are rounded to stronger bounds instead of weaker bounds
@@ -107,7 +107,7 @@ std::vector<AbstractableProcess> abstractable_processes(const Network& network, 
 /// precise, the levels are Chosen, Untimed, Paced, Complete.
 InputLevel next_level(const AbstractableProcess& process, InputLevel level);
 
-/// Sets the level of each Chosen process that a stored (not Chosen) process reads to `Untimed`.
+/// Sets the level to `Untimed` for each Chosen process whose outputs a stored (not Chosen) process reads.
 void store_what_is_read(const std::vector<AbstractableProcess>& processes, std::vector<InputLevel>& levels);
 
 /// The values that one PLC samples from one Chosen instance. At the beginning of each cycle, all valuations are
@@ -137,8 +137,8 @@ struct InputAbstraction {
     Network network = {};
     std::vector<InputChoice> choices = {};
     std::vector<Id<Network::Process>> paced = {};  ///< Paced instances, as argument of in_longest_unit
-    /// Untimed timers. A search may take the edges of these timers that are not urgent only while their PLC waits. The
-    /// reachable states are then the same except for EVOL_TI, if only the PLC and its timers read the timers.
+    /// Untimed timers. A search may restrict these timers: it takes their non-urgent edges only while their PLC waits.
+    /// If only the PLC and its timers read the timers, the restriction changes no reachable state except in EVOL_TI.
     std::vector<Id<Network::Process>> deferred = {};
     /// PLCs that may begin a cycle whenever they wait and no timer has a request.
     std::vector<Id<Network::Process>> unprompted = {};
@@ -160,8 +160,8 @@ Network in_longest_unit(Network network, const std::vector<Id<Network::Process>>
                         const std::vector<Id<Network::Process>>& rounded = {}, const InputAblations& ablations = {});
 
 /// Converts `network` to the longest time unit in which the clock bounds of all processes except autonomous instances
-/// are integers. Lower bounds of autonomous instances are rounded up and upper bounds are rounded down, so that each run
-/// is a run of `network`; an instance may be unable to move. Requires that `network` is expanded.
+/// are integers. Lower bounds of autonomous instances are rounded up and upper bounds are rounded down, so that each
+/// run is a run of `network`; an instance may be unable to move. Requires that `network` is expanded.
 Network in_longer_unit(Network network, const std::vector<AbstractableProcess>& instances);
 
 /// Removes all clock constraints, invariants and resets of `automaton`.

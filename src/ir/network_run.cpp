@@ -58,7 +58,7 @@ Step assign(const Network& network, NetworkState& state, const Network::Process&
     return {};
 }
 
-/// Checks if the edge can be taken. If so, `clocks` receives the clocks of its process after the resets.
+/// Checks if the edge can be taken. If the edge can be taken, `clocks` receives the clocks of its process after resets.
 Step begin(const Network& network, const NetworkState& state, const Fire& move, std::vector<std::int64_t>& clocks) {
     const Network::Process& process = network.processes[move.process];
     const Network::Template& shape = automaton(network, move.process);

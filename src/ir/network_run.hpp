@@ -16,9 +16,9 @@ namespace grafverif {
 
 /// A state of a network. Scratch variables keep their last written value.
 struct NetworkState {
-    std::vector<Id<Network::Location>> locations = {};   ///< per process
-    std::vector<std::int64_t> variables = {};            ///< per variable
-    std::vector<std::vector<std::int64_t>> clocks = {};  ///< per process and clock, in time units
+    std::vector<Id<Network::Location>> locations = {};   ///< location of each process
+    std::vector<std::int64_t> variables = {};            ///< value of each variable
+    std::vector<std::vector<std::int64_t>> clocks = {};  ///< value of each clock of each process, in time units
 
     bool operator==(const NetworkState&) const = default;
 };
@@ -65,8 +65,8 @@ bool may_delay(const Network& network, const NetworkState& state);
 std::optional<std::int64_t> value(const Network& network, const NetworkState& state, Id<Expr> expr);
 
 /// Returns the states of `run`, beginning with the initial state. The number of states is the number of moves plus one.
-/// The result is nullopt if a move is not possible. It is also nullopt if the run has a loop and its last state differs
-/// from the first state of the loop in locations or variables.
+/// The result is nullopt if a move is not possible. The result is also nullopt if the run has a loop, and the last
+/// state differs from the first state of the loop in locations or variables.
 std::optional<std::vector<NetworkState>> replay(const Network& network, const Run& run);
 
 }  // namespace grafverif

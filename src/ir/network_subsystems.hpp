@@ -22,8 +22,8 @@ struct NetworkSubsystems {
     static constexpr std::uint32_t none = 0xFFFFFFFF;
 
     std::uint32_t count = 0;                      ///< number of parts, which are ordered by their first process
-    std::vector<std::uint32_t> of_process = {};   ///< part per process
-    std::vector<std::uint32_t> of_variable = {};  ///< part per variable; none if the variable creates no dependency
+    std::vector<std::uint32_t> of_process = {};   ///< part of each process
+    std::vector<std::uint32_t> of_variable = {};  ///< part of each variable; `none`: the variable has no part
     /// For each part: the conjuncts of Network::settled that read only this part. `settled` is empty if
     /// Network::settled is invalid or one of its conjuncts reads several parts.
     std::vector<std::vector<Id<Expr>>> settled = {};
@@ -40,8 +40,8 @@ std::vector<std::uint32_t> parts_read(const Network& network, const NetworkSubsy
 std::string name_of_part(const Network& network, const NetworkSubsystems& parts, std::uint32_t part);
 
 /// A separate network that consists of some parts of a network. The subnetwork contains the processes of these parts,
-/// the data about their controllers, and the conjuncts of `settled` that read these parts. Its properties are the
-/// properties that SubNetworkBuilder::add_property added.
+/// the data about their controllers, and the conjuncts of `settled` that read these parts. The properties of the
+/// subnetwork are the properties that SubNetworkBuilder::add_property added.
 struct SubNetwork {
     Network network = {};
     std::vector<Id<Network::Process>> processes = {};  ///< for each process: its id in the complete network
@@ -49,7 +49,7 @@ struct SubNetwork {
 };
 
 /// Builds a subnetwork, and translates terms of the complete network to terms of the subnetwork. Requires that these
-/// terms read no other part.
+/// terms read only parts of the subnetwork.
 class SubNetworkBuilder {
 public:
     /// `chosen` contains parts of `network`, in order. Requires that `network` is expanded and outlives this object.
@@ -69,7 +69,7 @@ private:
     const Network& whole_;
     SubNetwork made_ = {};
     std::vector<std::uint32_t> process_ = {};   // maps processes of the complete network to processes of the subnetwork
-    std::vector<std::uint32_t> variable_ = {};  // the same map for variables
+    std::vector<std::uint32_t> variable_ = {};  // maps variables of the complete network to variables of the subnetwork
     TermCopier copy_;
 };
 

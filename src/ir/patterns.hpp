@@ -16,13 +16,14 @@ inline bool is_about_single_states(Pattern pattern) {
     return is_about_all_states(pattern) || pattern == Pattern::Reachable;
 }
 
-/// True if the verdict on a property of this pattern depends only on the set of reachable states. This includes
-/// `reachable all steps`, for which different runs may reach the steps.
+/// True if the verdict on a property of this pattern depends only on the set of reachable states. The result is also
+/// true for `reachable all steps`, for which different runs may reach the steps.
 inline bool is_about_states(Pattern pattern) {
     return is_about_single_states(pattern) || pattern == Pattern::ReachableAllSteps;
 }
 
-/// True if a property of this pattern states that some run exists. If it is violated, no run shows the violation.
+/// True if a property of this pattern states that some run exists. A single run cannot show that the property is
+/// violated.
 inline bool is_about_existence(Pattern pattern) {
     return pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps;
 }

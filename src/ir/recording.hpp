@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // RecordingVerdict: result of the check of a recording of inputs and outputs against a chart.
-// run/recording/recording_check.hpp defines an admissible timing of a recording.
+// run/recording/recording_check.hpp defines which timings of a recording are admissible.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +19,8 @@ struct Deviation {
     /// Time, in microseconds, of the change of the recorded output or, if `missing_change`, of the output of the chart.
     std::int64_t time_us = 0;
     std::uint64_t line = 0;     ///< line of the recorded value in the log
-    std::string output = {};    ///< name in the chart
-    std::int64_t recorded = 0;  ///< recorded value
+    std::string output = {};    ///< name of the output in the chart
+    std::int64_t recorded = 0;  ///< value in the recording
     std::int64_t allowed = 0;   ///< value that the chart writes with this timing
     /// True: the chart changes the output, but the recording does not; false: the recording changes the output, but the
     /// chart does not.
@@ -34,7 +34,7 @@ struct Deviation {
 /// other columns. If the offset is positive, this clock is ahead.
 struct ClockOffset {
     std::vector<std::string> columns = {};  ///< the columns of the log with times of this clock
-    std::int64_t bound_us = 0;              ///< maximum absolute value
+    std::int64_t bound_us = 0;              ///< maximum absolute value of the offset (`--skew`)
     std::int64_t low_us = 0, high_us = 0;   ///< range of the offsets that explain the recording
 
     bool operator==(const ClockOffset&) const = default;
@@ -44,14 +44,14 @@ struct RecordingVerdict {
     enum class Kind { Conforms, Deviates, Unknown };
     std::string chart = {};
     Kind kind = Kind::Conforms;
-    std::string reason = {};                  ///< for Unknown: the reason
-    std::optional<Deviation> deviation = {};  ///< for Deviates
-    /// Run of the chart with one timing: for Deviates that of `deviation`, otherwise one that is admissible so far.
-    /// Without such a timing, the run has no events.
+    std::string reason = {};                  ///< reason for the result Unknown
+    std::optional<Deviation> deviation = {};  ///< valid only for the result Deviates
+    /// Run of the chart with one timing. For Deviates, this is the timing of `deviation`; otherwise, it is a timing
+    /// that is admissible for the samples that were read. If there is no such timing, the run has no events.
     ChartRun run = {};
     bool run_is_complete = true;  ///< true if `run` begins at power-on; false if `run` contains only the last instants
-    /// For each clock of `--skew` that concerns the chart: its offset. No other offset explains the recording; for
-    /// Deviates, the range is that of the timing in `deviation`. Empty for Unknown.
+    /// Offset of each clock of `--skew` that concerns the chart. No other offset explains the recording. For Deviates,
+    /// the range applies to the timing of `deviation`. Empty for Unknown.
     std::vector<ClockOffset> offsets = {};
     std::vector<std::string> unrecorded = {};  ///< outputs that the recording does not contain
 
@@ -71,7 +71,7 @@ struct RecordedProperty {
 
 /// Verdicts of several charts for one recording.
 struct RecordingReport {
-    std::string log = {};  ///< name of the log
+    std::string log = {};  ///< name of the log file
     std::int64_t jitter_us = 0;
     std::int64_t skew_us = 0;                ///< maximum absolute value of the offsets of clocks
     std::uint64_t samples = 0;               ///< number of samples that were read

@@ -233,7 +233,7 @@ void check_choices(const System& system, Faults& faults) {
     if (system.settled.valid()) check(system.main, system.settled, "settled");
 }
 
-/// Checks the names for traces: symbols of main and conditions over them.
+/// Checks the data that map a run to charts and plant: symbols of main and conditions over these symbols.
 void check_names(const System& system, Sorts& sorts, Faults& faults) {
     const Table<System::Symbol>& symbols = system.modules[system.main].symbols;
     const auto known = [&](Id<System::Symbol> symbol, const std::string& where) {

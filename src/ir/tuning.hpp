@@ -48,7 +48,7 @@ struct Tuning {
         bool declared = true;
         Span origin = {};
         PointVerdict current = {};                ///< the verdict for the current values
-        std::vector<PointVerdict> verdicts = {};  ///< per point of the grid
+        std::vector<PointVerdict> verdicts = {};  ///< verdict at each point of the grid
         /// For some points at which the property is violated: the result with the run that violates it. The property
         /// and the charts of the run are those of the point.
         std::map<std::size_t, PropertyResult> runs = {};
@@ -65,7 +65,7 @@ struct Tuning {
     std::size_t checks = 0;       ///< number of models that were checked, including the model with the current values
     std::size_t transferred = 0;  ///< number of verdicts that were derived from the check of another model
     bool model_error = false;     ///< true if a model error occurs at some point
-    std::vector<std::string> failures = {};  ///< internal errors
+    std::vector<std::string> failures = {};  ///< internal errors of the checks
 
     /// Returns the index of the value of each constant at a point. The index of the last constant varies fastest.
     std::vector<std::size_t> indices(std::size_t point) const {

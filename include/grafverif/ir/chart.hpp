@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Chart: a GRAFCET (IEC 60848) as written, after names are resolved and before any evolution rule is applied.
 //
-// A Chart can represent every construct of the standard. `derive` rejects the constructs that it cannot translate
-// exactly. Expressions are stored in `exprs`. Apart from constants, the leaves of these expressions are Variable (index
-// in `variables`), Step (the step variable; index in `steps`) and Timed (index in `time_conditions`).
+// A Chart can represent every construct of the standard. `derive`, which translates a Chart to Equations, rejects the
+// constructs that it cannot translate exactly. Expressions are stored in `exprs`. Apart from constants, their leaves
+// are Variable (index in `variables`), Step (step variable; index in `steps`) and Timed (index in `time_conditions`).
 //
 // Invariants (see verify): every id is in its table; every condition is Boolean; every stored value has the type of its
 // target. Names are unique in their scope (variables in the chart, steps in their partial chart, transitions in the
@@ -52,7 +52,7 @@ struct Chart {
     struct Step {
         std::string name = {};  ///< name of the step, such as `2`; the step variable of step `2` is `X2`
         StepKind kind = StepKind::Ordinary;
-        bool initial = false;              ///< IEC 60848, initial step
+        bool initial = false;              ///< true for an initial step (IEC 60848)
         bool activation_link = false;      ///< true if the activation of the enclosing step activates this step
         bool entry = false, exit = false;  ///< true for the entry or exit step of an expansion (clause 7)
         Id<PartialChart> chart = {};
@@ -73,8 +73,8 @@ struct Chart {
 
     struct Transition {
         std::string name = {};
-        std::vector<Id<Step>> from = {};  ///< empty if this is a source transition
-        std::vector<Id<Step>> to = {};    ///< empty if this is a sink transition
+        std::vector<Id<Step>> from = {};  ///< steps upstream; empty for a source transition
+        std::vector<Id<Step>> to = {};    ///< steps downstream; empty for a sink transition
         Id<Expr> condition = {};
         Id<PartialChart> chart = {};
         Span origin = {};
@@ -85,7 +85,7 @@ struct Chart {
     /// (`watched`) becomes true, and false `fall_ms` milliseconds after v becomes false.
     struct TimeCondition {
         std::int64_t rise_ms = 0;
-        Id<Expr> watched = {};  ///< a Boolean term
+        Id<Expr> watched = {};  ///< the Boolean term v
         std::int64_t fall_ms = 0;
         Span origin = {};
         bool operator==(const TimeCondition&) const = default;
@@ -95,7 +95,7 @@ struct Chart {
     struct ContinuousAction {
         Id<Step> step = {};
         Id<Variable> output = {};
-        Id<Expr> condition = {};    ///< assignation condition; default: the constant true
+        Id<Expr> condition = {};    ///< assignation condition of the action; default: the constant true
         std::int64_t delay_ms = 0;  ///< delay of a delayed action (`after`); 0 for an action without delay
         std::int64_t limit_ms = 0;  ///< time limit of a time-limited action (`for`); 0 for an action without time limit
         Span origin = {};
@@ -107,16 +107,16 @@ struct Chart {
     /// deactivated, when `event` occurs while `step` is active, or when `transition` is cleared.
     struct StoredAction {
         StoredOn on = StoredOn::Activation;
-        Id<Step> step = {};              ///< invalid for Clearing
-        Id<Transition> transition = {};  ///< only for Clearing
+        Id<Step> step = {};              ///< step of the action; invalid for Clearing
+        Id<Transition> transition = {};  ///< transition that triggers the action; valid only for Clearing
         Id<Variable> target = {};
         Id<Expr> value = {};
-        Id<Expr> event = {};  ///< triggering event, only for Event
+        Id<Expr> event = {};  ///< event that triggers the action; valid only for Event
         Span origin = {};
         bool operator==(const StoredAction&) const = default;
     };
 
-    enum class ForcedTo { Empty, Current, Initial, Steps };  ///< forced situation: {} {*} {INIT} {steps} (clause 7)
+    enum class ForcedTo { Empty, Current, Initial, Steps };  ///< forced situation: {}, {*}, {INIT}, {steps} (clause 7)
     struct ForcingOrder {
         Id<Step> step = {};
         Id<PartialChart> forced = {};
@@ -136,9 +136,9 @@ struct Chart {
 
     /// `accept CODE SUBJECT "reason"` accepts a finding about the chart.
     struct Acceptance {
-        std::string code = {};  ///< see ir/finding.hpp
-        /// Subject of the finding, such as `X4`, `t3` or `LOCK`; if empty, findings about any subject are accepted. With
-        /// the subject `H.`, findings about the elements of the partial chart `H` are accepted.
+        std::string code = {};  ///< finding code (see ir/finding.hpp)
+        /// Subject of the finding, such as `X4`, `t3` or `LOCK`; if empty, findings about any subject are accepted.
+        /// With the subject `H.`, findings about the elements of the partial chart `H` are accepted.
         std::string subject = {};
         std::string reason = {};
         Span origin = {};

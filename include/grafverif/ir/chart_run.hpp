@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // ChartRun: a run of a closed loop in terms of its charts. For each controller, a ChartRun contains the sampled inputs,
-// the cleared transitions and the written outputs. It also contains the moves of the plant. A ChartRun does not contain
-// elements of the translated model, such as locations of the PLC process, flags and auxiliary variables. `project`
-// (run/project.hpp) converts a run of a Network or of a TransitionSystem to a ChartRun. The replay (run/replay.hpp)
-// checks a ChartRun against the rules of IEC 60848, and `with_rows` (report/trace_rows.hpp) adds the rows to be
-// printed. All texts, diagrams and JSON data of a run are generated from a ChartRun.
+// the cleared transitions and the written outputs. A ChartRun also contains the moves of the plant. A ChartRun does not
+// contain elements of the translated model, such as locations of the PLC process, flags and auxiliary variables.
+// `project` (run/project.hpp) converts a run of a Network or of a TransitionSystem to a ChartRun. The replay
+// (run/replay.hpp) checks a ChartRun against the rules of IEC 60848, and `with_rows` (report/trace_rows.hpp) adds the
+// rows to be printed. All texts, diagrams and JSON data of a run are generated from a ChartRun.
 //
 // The first entry of `moments` is power-on; each further entry is one event with the state after this event. A row
 // summarizes the events since the previous row. A search for stability lasts from the sampling of the inputs to the
-// writing of the outputs. It is one row, or two rows if the plant moves during the search.
+// writing of the outputs. A search is one row, or two rows if the plant moves during the search.
 //
 // Invariants (see verify): ids are in their tables; a state has one value per signal; the steps of a situation are in
 // increasing order; time never decreases; rows are in the order of their events; the repeated events (`loop`) begin at
@@ -62,13 +62,13 @@ struct ChartRun {
         std::string name = {};  ///< name of the controller that has the timer
         /// Name of the observed step variable or variable, such as `X2` or `a`; empty if another term is observed.
         std::string watched = {};
-        std::optional<std::size_t> step = {};   ///< the observed step, in Controller::steps
-        std::int64_t rise_ms = 0, fall_ms = 0;  ///< t1 and t2
+        std::optional<std::size_t> step = {};   ///< index of the observed step in Controller::steps
+        std::int64_t rise_ms = 0, fall_ms = 0;  ///< times t1 and t2 of the time condition `t1/v/t2`
         bool exact = false;  ///< true if the timer expires exactly at the time that IEC 60848 prescribes
         bool operator==(const Timer&) const = default;
     };
-    /// Lists of steps, transitions and timers are in the order of the chart's tables; each list of signals is in the
-    /// order of the signals with its role.
+    /// All lists are in the order of the chart's tables. `inputs` may contain signals with the role Output, which
+    /// another controller writes.
     struct Controller {
         std::string name = {};
         ExecutionMode mode = ExecutionMode::StabilitySearch;
@@ -91,7 +91,7 @@ struct ChartRun {
         bool operator==(const Instance&) const = default;
     };
 
-    /// Actions of one controller in an event: one phase of its cycle or several phases together.
+    /// The actions of one controller in an event: one phase of its PLC cycle, or several phases together.
     struct Act {
         enum class Writes { No, IfStable, Yes };
         Id<Controller> controller = {};
@@ -102,17 +102,17 @@ struct ChartRun {
         bool starts = false;   ///< true for the first evolution after power-on, in which all timer outputs are false
         bool samples = false;  ///< true if inputs and timer outputs are sampled
         bool evolves = false;  ///< true if the act contains one evolution
-        Writes writes = Writes::No;             ///< states if the act writes the outputs
+        Writes writes = Writes::No;             ///< writing of the outputs; IfStable: only if the situation is stable
         std::vector<std::int64_t> inputs = {};  ///< sampled values of the inputs
         std::vector<bool> timers = {};          ///< sampled values of the timer outputs
-        /// For an evolution: true for each timer whose t1 had elapsed when the situation changed. If empty, `timers`
-        /// has the same values.
+        /// For an evolution: true for each timer whose time t1 had elapsed when the situation changed. If `done` is
+        /// empty, the values of `timers` apply.
         std::vector<bool> done = {};
         /// If `evolves`: the transitions that the evolution clears. If the act only samples: the transitions that the
         /// next evolution clears.
         std::vector<Id<Transition>> fired = {};
         /// For a scan of a PLC program with free inputs: the time since the previous scan in milliseconds. Empty for
-        /// other controllers, whose time is that of the states.
+        /// all other controllers, whose times are the times of the states.
         std::optional<std::int64_t> elapsed_ms = {};
         /// Values of the flags `stable` and `race` after the evolution; empty if the model does not have these flags.
         std::optional<bool> stable = {}, race = {};
@@ -126,14 +126,14 @@ struct ChartRun {
     };
     struct Event {
         Kind kind = Kind::Controller;
-        bool internal = false;  ///< true for an internal move of the translation
+        bool internal = false;  ///< true for an auxiliary move of the translated model, such as a move of an observer
         std::size_t move = 0;   ///< index of the move in the run of the Network or TransitionSystem
         std::vector<Act> acts = {};
         Id<Instance> instance = {};                ///< the instance that moved
         std::optional<std::size_t> location = {};  ///< the new location of `instance`
         std::vector<Id<Signal>> changed = {};      ///< signals whose value the event changed
         Id<Timer> timer = {};                      ///< the timer that expired, if the event is the expiry of a timer
-        bool timer_holds = false;                  ///< new value of `t1/v/t2`
+        bool timer_holds = false;                  ///< new value of the time condition `t1/v/t2` of `timer`
         State after = {};
         bool operator==(const Event&) const = default;
     };
@@ -142,7 +142,7 @@ struct ChartRun {
         std::string component = {};  ///< the instance, controller or timer; empty for a delay
         std::string what = {};       ///< description such as `going_out, H 4 -> 6`; may be empty
         std::vector<std::vector<Id<Transition>>> fired = {};  ///< one list for each evolution that cleared transitions
-        /// True for a row of an internal move of the translation, which is displayed only on request.
+        /// True for a row of an auxiliary move of the translated model. Such a row is displayed only on request.
         bool internal = false;
         std::size_t moment = 0;  ///< index of the event whose state is the state after this row
         bool operator==(const Row&) const = default;
@@ -184,8 +184,8 @@ struct ChartRun {
     std::vector<Event> moments = {};
     /// Index of an event; the events from this index on repeat forever. Empty if the run is finite.
     std::optional<std::size_t> loop = {};
-    /// Index of the first move that is not possible in the state before it; the run does not contain this move and the
-    /// later moves. Empty if all moves are possible.
+    /// Index of the first move that is not possible in the state before it. The run contains neither this move nor any
+    /// later move. Empty if all moves are possible.
     std::optional<std::size_t> broken_at = {};
     std::vector<Row> rows = {};
     /// Index of the first row of the repeated events; empty if the run is finite.

@@ -26,9 +26,9 @@ namespace grafverif {
 struct ClosedLoop {
     struct Controller {
         std::string name = {};  ///< name of the chart
-        Id<Chart> chart = {};   ///< in Model::charts
+        Id<Chart> chart = {};   ///< index in Model::charts
         ExecutionMode mode = ExecutionMode::StabilitySearch;
-        /// If empty, the cycle time is zero: a scan starts as soon as an input, a timer or the situation requires it.
+        /// Empty for cycle time zero: a scan starts as soon as an input, a timer or the situation requires a scan.
         std::optional<TaskCycle> cycle = {};
         Span origin = {};
         bool operator==(const Controller&) const = default;
@@ -55,7 +55,7 @@ struct ClosedLoop {
 
     struct Instance {
         std::string name = {};
-        Id<Component> component = {};  ///< in Model::components
+        Id<Component> component = {};  ///< index in Model::components
         /// Value of each parameter; missing arguments have been replaced by the defaults of the component.
         std::vector<Argument> arguments = {};
         Id<Component::Location> initial = {};
@@ -190,7 +190,7 @@ std::vector<std::string> verify(const ClosedLoop& loop, const Model& model);
 /// Returns the shared variables that an argument reads or writes, without duplicates.
 std::vector<Id<ClosedLoop::Shared>> shared_in(const ClosedLoop& loop, const ClosedLoop::Argument& argument);
 
-/// Returns the index of the internal variable in the arguments of its process in a Network. The arguments of a process
+/// Returns the index of the internal variable `symbol` in the arguments of its process in a Network. These arguments
 /// are the arguments of the instance that are not terms, followed by the internal variables of the instance.
 std::size_t own_argument(const ClosedLoop& loop, const ClosedLoop::OwnSymbol& symbol);
 

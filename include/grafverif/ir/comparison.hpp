@@ -55,7 +55,7 @@ struct Comparison {
         std::string situation = {};              ///< situation after the scan: `{2, 5}`
         std::string stop = {};                   ///< reason why the chart wrote no outputs; empty if it wrote outputs
         bool run_time_fault = false;             ///< true if `stop` reports a run-time fault of a program
-        /// True if both responses have equal outputs, or both have stopped.
+        /// True if the outputs of both responses are equal, or both charts have stopped.
         bool same(const ScanOutputs& other) const {
             return stop.empty() == other.stop.empty() && (!stop.empty() || outputs == other.outputs);
         }
@@ -68,7 +68,7 @@ struct Comparison {
     std::array<std::string, 2> from = {};
     /// The time between scans is a multiple of this value; 0 if no output depends on time.
     std::int64_t resolution_ms = 0;
-    std::array<bool, 2> programs = {};  ///< for each side: true if it is a PLC program, false if it is a chart
+    std::array<bool, 2> programs = {};             ///< for each side: true for a PLC program, false for a chart
     std::optional<std::int64_t> interval_ms = {};  ///< fixed time between two scans; empty if this time is arbitrary
     /// `ignored`: outputs that are not compared. `restricted`: inputs of a program to which only the values in the
     /// range of the corresponding input of the chart are applied.
@@ -86,7 +86,7 @@ struct Comparison {
     std::array<std::vector<ScanOutputs>, 2> answers = {};  ///< responses of both charts to each scan
     bool shortest = false;                                 ///< true if there is no shorter distinguishing sequence
     std::vector<ChartChange> changes = {};
-    std::vector<std::string> failures = {};  ///< internal errors: distinguishing sequences that fail the replay
+    std::vector<std::string> failures = {};  ///< internal errors: sequences that the replay does not confirm
     double seconds = 0;
 
     bool operator==(const Comparison&) const = default;

@@ -33,7 +33,7 @@ struct Component {
         ValueKind value = ValueKind::Boolean;
         /// Range of an integer output; the bounds read only constants that are declared before the output.
         std::optional<Id<Expr>> low = {}, high = {};
-        /// Default of a constant, or value of an output at power-on (if empty: 0 or `low`).
+        /// Default of a constant, or value of an output at power-on (if empty: 0 or, for an integer, `low`).
         std::optional<Id<Expr>> initial = {};
         Span origin = {};
         bool operator==(const Parameter&) const = default;
@@ -85,8 +85,8 @@ struct Component {
         bool urgent = false;
         Id<Expr> guard = {};
         std::vector<ClockConstraint> constraint = {};  ///< conjunction of clock constraints
-        /// The assignments of the edge. They are executed in order; each assignment reads the results of the previous
-        /// assignments.
+        /// The assignments of the edge. Assignments are executed in order; each assignment reads the results of the
+        /// previous assignments.
         std::vector<Assignment> assignments = {};
         std::vector<Id<Clock>> resets = {};
         Span origin = {};

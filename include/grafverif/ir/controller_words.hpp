@@ -33,7 +33,7 @@ struct ControllerWords {
         Id<Variable> end = {};
         /// Index in `steps` of the step that the timer observes; empty if the timer observes another term.
         std::optional<std::size_t> step = {};
-        std::int64_t rise_ms = 0, fall_ms = 0;  ///< t1 and t2
+        std::int64_t rise_ms = 0, fall_ms = 0;  ///< times t1 and t2 of the time condition `t1/v/t2`
         /// Name of the step variable or other variable that the timer observes, such as `X2` or `a`; empty if the timer
         /// observes a term that is not a variable.
         std::string watched = {};
@@ -42,9 +42,9 @@ struct ControllerWords {
 
     std::string name = {};
     ExecutionMode mode = ExecutionMode::StabilitySearch;
-    std::optional<TaskCycle> cycle = {};  ///< empty: the cycle time is zero
+    std::optional<TaskCycle> cycle = {};  ///< task cycle; if empty, the cycle time is zero
     std::vector<Step> steps = {};
-    std::vector<Named> transitions = {};  ///< the transitions; `variable` is the firing condition
+    std::vector<Named> transitions = {};  ///< the transitions; `variable` is the variable of the firing condition
     std::vector<Named> inputs = {};
     /// For each input: the variable that holds its value during a scan of several evolutions; empty if each evolution
     /// samples the inputs.

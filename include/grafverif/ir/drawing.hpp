@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Drawing: boxes, lines and texts with positions, which the layout of a chart computes. Every shape belongs to an
-// element of the drawing: a step, a transition, a link.
+// element of the drawing: a step, a transition, an action or a directed link.
 //
 // Each element of a chart has an id and classes. Ids and classes belong to the stable interface (docs/how-to/draw.md):
 // `step-3` or `step-G1-3` with the classes `step`, `initial`, `macro`, ...; `transition-T4`, `condition-T4`,
@@ -58,7 +58,7 @@ struct Drawing {
         std::string id = {};                                         ///< element id; may be empty
         std::string classes = {};                                    ///< class names separated by spaces
         std::string title = {};                                      ///< tooltip and text for screen readers
-        std::vector<std::pair<std::string, std::string>> data = {};  ///< `from`, `to` for a link
+        std::vector<std::pair<std::string, std::string>> data = {};  ///< for a link: ids of its ends `from`, `to`
         std::vector<Box> boxes = {};
         std::vector<Line> lines = {};
         std::vector<Text> texts = {};

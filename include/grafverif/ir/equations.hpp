@@ -52,18 +52,18 @@ struct Equations {
     };
 
     struct Firing {
-        Id<Variable> variable = {};  ///< CF_t
+        Id<Variable> variable = {};  ///< variable CF_t of the firing condition
         Id<Expr> condition = {};
-        std::string transition = {};  ///< name in the chart
+        std::string transition = {};  ///< name of the transition in the chart
         Span origin = {};
         bool operator==(const Firing&) const = default;
     };
 
     struct StepActivity {
-        Id<Variable> variable = {};  ///< X_s
+        Id<Variable> variable = {};  ///< variable X_s of the step activity
         Id<Expr> next = {};
-        Id<Expr> activated = {};    ///< X_s' and not X_s, where X_s' is expressed by firing conditions
-        Id<Expr> deactivated = {};  ///< X_s and not X_s'
+        Id<Expr> activated = {};    ///< condition: X_s' and not X_s, where X_s' is expressed by firing conditions
+        Id<Expr> deactivated = {};  ///< condition: X_s and not X_s'
         StepName step = {};
         Span origin = {};
         Id<Expr> first = {};  ///< value after the first evolution; the value at power-on if invalid
@@ -104,14 +104,14 @@ struct Equations {
     struct Conflict {
         Id<Expr> condition = {};  ///< term over firing conditions and values before the cycle
         Span origin = {};  ///< position of one of the two forcing orders, or of the statement with the run-time fault
-        /// Condition of this fault in the first evolution; if invalid, the fault cannot occur there.
+        /// Condition of this fault in the first evolution; invalid if the fault cannot occur in the first evolution.
         Id<Expr> first = {};
         bool operator==(const Conflict&) const = default;
     };
 
     /// The value, in the previous cycle, of a term whose edges are read.
     struct Previous {
-        Id<Variable> variable = {};  ///< P_e
+        Id<Variable> variable = {};  ///< variable P_e of the previous value
         /// Term e, which reads values before the cycle; in the first evolution, it reads initial values.
         Id<Expr> value = {};
         Span origin = {};
@@ -120,7 +120,7 @@ struct Equations {
 
     /// The level (value after the previous cycle) of a term that a timer observes.
     struct ObservedTerm {
-        Id<Variable> variable = {};  ///< V_e
+        Id<Variable> variable = {};  ///< variable V_e of the level
         Id<Expr> value = {};         ///< term e, which reads values after the cycle
         Span origin = {};
         bool operator==(const ObservedTerm&) const = default;
@@ -129,18 +129,18 @@ struct Equations {
     /// A timer; each distinct time condition `t1/v/t2` has one timer (IEC 60848; CEP13 Fig. 33b). If v is true from
     /// time r to time f, and f - r is at least rise_ms, `end` is true from r + rise_ms to f + fall_ms.
     struct Timer {
-        std::string name = {};      ///< `T_X2_3s`
-        Id<Variable> watched = {};  ///< X_2, or V_e of an observed term e; the level after the previous cycle
-        Id<Variable> end = {};      ///< T_X2_3s_Q
-        std::int64_t rise_ms = 0;   ///< t1; 0 if there is none
-        std::int64_t fall_ms = 0;   ///< t2; 0 if there is none
+        std::string name = {};      ///< name such as `T_X2_3s`
+        Id<Variable> watched = {};  ///< X_s of a step s, or V_e of a term e; the level after the previous cycle
+        Id<Variable> end = {};      ///< variable of the timer output, such as `T_X2_3s_Q`
+        std::int64_t rise_ms = 0;   ///< time t1; 0 if the condition has no t1
+        std::int64_t fall_ms = 0;   ///< time t2; 0 if the condition has no t2
         Span origin = {};
         bool operator==(const Timer&) const = default;
     };
 
     /// An assumption on the inputs of the chart (`constraint`), for models with free inputs.
     struct Assumption {
-        Id<Expr> condition = {};  ///< condition over inputs only
+        Id<Expr> condition = {};  ///< condition on the inputs
         Span origin = {};
         bool operator==(const Assumption&) const = default;
     };
@@ -160,10 +160,11 @@ struct Equations {
     std::vector<Output> outputs = {};
     std::vector<Assumption> assumptions = {};
     /// True if one more cycle with the same inputs would change nothing except previous values: no firing condition
-    /// holds, no event executes an action, and no firing condition would hold in a cycle in which no signal has an edge.
-    /// `stable` reads firing conditions and values before the cycle. For a program: true if the scan changes nothing.
+    /// holds, no event executes an action, and no firing condition would hold in a cycle in which no signal has an
+    /// edge. `stable` reads firing conditions and values before the cycle. For a program: true if the scan changes
+    /// nothing.
     Id<Expr> stable = {};
-    /// True for a PLC program. Then each cycle, including the first evolution, is one scan, and terms share many
+    /// True for a PLC program. In this case, each cycle, including the first evolution, is one scan; terms share many
     /// subterms.
     bool is_program = false;
     Span origin = {};

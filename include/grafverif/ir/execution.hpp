@@ -57,7 +57,7 @@ struct ScheduleOptions {
     PlantApproach plant = PlantApproach::None;
     std::optional<Schedule> schedule = {};  ///< overrides the schedule of the loop; default: interleaved
     TimeModel time = TimeModel::Abstract;
-    bool fairness = false;  ///< assume that every movement terminates, by one justice condition for each movement
+    bool fairness = false;  ///< assume that every plant movement ends: one justice condition for each movement
 };
 
 }  // namespace grafverif

@@ -37,36 +37,36 @@ enum class Op : std::uint8_t {
     False,
     True,
     Integer,
-    Duration,  // constants
+    Duration,  // False, True, Integer and Duration: constants
     Variable,
     Step,
     Timed,
     Parameter,
-    At,  // leaves
+    At,  // Variable, Step, Timed, Parameter and At: leaves
     Not,
     And,
-    Or,  // Boolean; And and Or have two or more operands
+    Or,  // Not, And and Or: Boolean operators; And and Or have two or more operands
     Rise,
-    Fall,  // edges of a Boolean term; Rise and Fall occur only in Chart
+    Fall,  // Rise and Fall: edges of a Boolean term, which occur only in Chart
     Equal,
     NotEqual,
     Less,
     LessEqual,
     Greater,
-    GreaterEqual,  // comparisons (Equal, NotEqual: also of two Booleans)
+    GreaterEqual,  // Equal to GreaterEqual: comparisons of two integers; Equal and NotEqual also of two Booleans
     Negate,
     Plus,
     Minus,
     Times,
     Divide,
-    Modulo,       // arithmetic
+    Modulo,       // Negate to Modulo: arithmetic operators
     Conditional,  // operands: condition, value if true, value if false
 };
 
 struct Expr {
     Op op = Op::False;
-    std::int64_t value = 0;   ///< Integer, Duration: the number; other leaves: the index; operators: 0
-    std::uint32_t first = 0;  ///< index of the first operand; use Exprs::operands(id)
+    std::int64_t value = 0;   ///< value of an Integer or Duration; index of another leaf; 0 for an operator
+    std::uint32_t first = 0;  ///< position of the first operand in the operand list; use Exprs::operands(id)
     std::uint32_t count = 0;
 };
 
@@ -75,13 +75,13 @@ public:
     Id<Expr> constant(bool value);
     Id<Expr> integer(std::int64_t value);
     Id<Expr> duration(std::int64_t milliseconds);
-    Id<Expr> leaf(Op op, std::uint32_t index);                   ///< Variable, Step, Timed, Parameter
-    Id<Expr> at(std::uint32_t process, std::uint32_t location);  ///< At
+    Id<Expr> leaf(Op op, std::uint32_t index);                   ///< returns a Variable, Step, Timed or Parameter leaf
+    Id<Expr> at(std::uint32_t process, std::uint32_t location);  ///< returns an At leaf
 
-    Id<Expr> negation(Id<Expr> operand);                       ///< Not
-    Id<Expr> conjunction(std::span<const Id<Expr>> operands);  ///< And; the empty conjunction is true
+    Id<Expr> negation(Id<Expr> operand);                       ///< returns a Not term
+    Id<Expr> conjunction(std::span<const Id<Expr>> operands);  ///< returns an And term; the empty conjunction is true
     Id<Expr> conjunction(Id<Expr> left, Id<Expr> right);
-    Id<Expr> disjunction(std::span<const Id<Expr>> operands);  ///< Or; the empty disjunction is false
+    Id<Expr> disjunction(std::span<const Id<Expr>> operands);  ///< returns an Or term; the empty disjunction is false
     Id<Expr> disjunction(Id<Expr> left, Id<Expr> right);
     Id<Expr> conditional(Id<Expr> condition, Id<Expr> then, Id<Expr> otherwise);
     /// Returns a term with any operator. And, Or, Not and Conditional are forwarded to the functions above.
@@ -114,7 +114,7 @@ bool is_arithmetic(Op op);
 bool is_true(const Exprs& exprs, Id<Expr> id);
 bool is_false(const Exprs& exprs, Id<Expr> id);
 
-/// The two indices of an At leaf.
+/// Return the two indices of an At leaf: process and location.
 std::uint32_t at_process(const Expr& node);
 std::uint32_t at_location(const Expr& node);
 

@@ -42,11 +42,11 @@ struct Finding {
         bool operator==(const Related&) const = default;
     };
 
-    std::string code = {};  ///< code such as `step-never-active`
+    std::string code = {};  ///< finding code, such as `step-never-active`
     Level level = Level::Warning;
     /// Subject that `accept` can name, such as `X4`, `t3` or `LOCK`; empty if the finding concerns the complete chart.
     std::string subject = {};
-    std::string message = {};  ///< text as in a diagnostic
+    std::string message = {};  ///< text in the form of a diagnostic message
     Span origin = {};
     std::vector<Related> related = {};
     std::vector<std::string> lost = {};  ///< steps, transitions and variables that are never used again, in this order
@@ -68,7 +68,7 @@ struct Exclusion {
     bool operator==(const Exclusion&) const = default;
 };
 
-/// A query of the analysis without a result.
+/// A query of the analysis whose result is unknown.
 struct OpenQuestion {
     std::string code = {};  ///< code of the potential finding
     std::string subject = {};
@@ -87,12 +87,12 @@ struct Analysis {
     std::vector<std::string> notes = {};  ///< assumptions that apply to all findings
     std::size_t questions = 0;            ///< number of queries
     std::vector<OpenQuestion> open = {};  ///< queries without a result; all other queries have been decided
-    /// Reason why queries are in `open`; empty if `open` is empty.
+    /// Reason why the queries in `open` are undecided; empty if `open` is empty.
     std::string obstacle = {};
     std::size_t instants = 0;  ///< number of input changes to the farthest explored situation
     double seconds = 0;
     std::uint64_t bytes = 0;
-    std::vector<std::string> failures = {};  ///< internal errors: evidence that fails the replay
+    std::vector<std::string> failures = {};  ///< internal errors: evidence that the replay does not confirm
 
     bool operator==(const Analysis&) const = default;
 };

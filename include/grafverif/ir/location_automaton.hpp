@@ -3,8 +3,8 @@
 //
 //   location    situation and stored variables; with stability search, only reachable stable situations
 //   evolution   a change from one location to another, with a condition on the inputs. The conditions of one location
-//               are mutually exclusive (JESA13 (7)); if no condition of an evolution or instability holds, the
-//               controller stays (8)
+//               are mutually exclusive (JESA13, equation (7)). If no condition of an evolution or instability holds,
+//               the controller stays in the location (JESA13, equation (8)).
 //   INIT        the controller after power-on, before its first cycle. The first evolution activates the initial steps
 //               and clears no transition; with stability search, the first cycle continues until the situation is
 //               stable.
@@ -64,9 +64,9 @@ struct LocationAutomaton {
     struct Input {
         std::string name = {};
         Type type = {};
-        Id<Step> timed = {};  ///< valid if this is the output of a timer that observes this step
-        /// Valid if this is the output of a timer that observes this level. If `timed` and `watched` are invalid, this
-        /// is an input of the chart.
+        Id<Step> timed = {};  ///< for the output of a timer that observes a step: this step
+        /// For the output of a timer that observes a level: this level. If `timed` and `watched` are invalid, the
+        /// element is an input of the chart.
         Id<Stored> watched = {};
         std::int64_t rise_ms = 0, fall_ms = 0;  ///< t1 and t2 of `t1/v/t2`; not both 0 for a timer
         Span origin = {};
@@ -87,7 +87,7 @@ struct LocationAutomaton {
     };
     struct Location {
         std::vector<Id<Step>> situation = {};
-        std::vector<std::int64_t> values = {};  ///< values of `stored`
+        std::vector<std::int64_t> values = {};  ///< value of each element of `stored`
         std::vector<Emission> emissions = {};   ///< sorted by output; INIT emits the initial values of stored outputs
         bool operator==(const Location&) const = default;
     };

@@ -40,8 +40,8 @@ struct MealyMachine {
         bool operator==(const Variable&) const = default;
     };
     struct State {
-        std::string situation = {};  ///< `{2,5}`; merged states list all situations: `{1} or {3}`
-        std::string detail = {};     ///< stored values and running timers: `LOCK=1, T_X2_3s 1s`; may be empty
+        std::string situation = {};  ///< active steps, such as `{2,5}`; for merged states, such as `{1} or {3}`
+        std::string detail = {};     ///< stored values and running timers, such as `LOCK=1, T_X2_3s 1s`; may be empty
         bool operator==(const State&) const = default;
     };
     struct OutputWord {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Network: timed automata with discrete data that share variables (CEP13 2.4). It represents the closed loop for the
-// engines and for the generation of models for other tools. Templates have parameters, and processes instantiate
+// Network: timed automata with discrete data that share variables (CEP13 2.4). A Network represents the closed loop for
+// the engines and for the generation of models for other tools. Templates have parameters, and processes instantiate
 // templates. `expand` gives each process a separate template.
 //
 // Semantics (CEP13 section 2; urgency as in ETFA12 section 2). Processes take edges one at a time. An edge can be taken
@@ -69,7 +69,7 @@ struct Network {
     struct Parameter {
         std::string name = {};
         ParameterKind kind = ParameterKind::Read;
-        Type type = {};  ///< Constant: Booleans are 0 and 1; durations are integers in time units
+        Type type = {};  ///< for kind Constant, Booleans are 0 and 1, and durations are integers in time units
         bool operator==(const Parameter&) const = default;
     };
 
@@ -79,7 +79,7 @@ struct Network {
     };
     struct ClockConstraint {
         Id<Clock> clock = {};
-        Op relation = Op::LessEqual;  ///< Less, LessEqual, Equal, GreaterEqual, Greater
+        Op relation = Op::LessEqual;  ///< one of Less, LessEqual, Equal, GreaterEqual and Greater
         Id<Expr> bound = {};          ///< term over constants and Constant parameters, in time units
         bool operator==(const ClockConstraint&) const = default;
     };
@@ -120,7 +120,7 @@ struct Network {
         Table<Parameter> parameters = {};
         Table<Clock> clocks = {};
         Table<Location> locations = {};
-        Id<Location> initial = {};  ///< initial location of processes that do not override it
+        Id<Location> initial = {};  ///< initial location of each process that does not override it
         Table<Procedure> procedures = {};
         Table<Edge> edges = {};
         Span origin = {};
@@ -133,7 +133,7 @@ struct Network {
         std::string name = {};
         Id<Template> automaton = {};
         std::vector<Argument> arguments = {};
-        Id<Location> initial = {};  ///< location of the template
+        Id<Location> initial = {};  ///< initial location, as an index in the template
         ProcessKind kind = ProcessKind::Plant;
         Span origin = {};
         bool operator==(const Process&) const = default;
@@ -143,15 +143,15 @@ struct Network {
         Id<Process> process = {};
         Id<Location> done = {};  ///< location of the timer process after t1 has elapsed; invalid if the timer has no t1
         /// True: the timer restarts whenever its step is activated, even if the step was deactivated in the same
-        /// instant. False: the timer only observes if its step is active (CEP13 Fig. 33b), and does not notice that the
-        /// step was deactivated and activated again in one instant.
+        /// instant. False: the timer observes only the activity of its step (CEP13 Fig. 33b), and does not notice that
+        /// the step was deactivated and activated again in one instant.
         bool restarts = true;
         bool operator==(const Timer&) const = default;
     };
     /// A controller: the names of its chart, and the elements of the network that implement its PLC cycle.
     struct Controller {
         ControllerWords<Variable> words = {};
-        Id<Process> process = {};   ///< the process of the PLC
+        Id<Process> process = {};   ///< process that represents the PLC
         Id<Location> waiting = {};  ///< location W (the PLC waits for the next cycle) of the template of `process`
         Id<Variable> stable = {};
         std::vector<Timer> timers = {};  ///< timers in the order of `words`
@@ -177,9 +177,9 @@ struct Network {
     Table<Process> processes = {};
     Table<Controller> controllers = {};
     Table<Property> properties = {};
-    /// Condition for a quiescent state, over variables and At. In a quiescent state, every controller is in W and
-    /// stable, and no process other than a controller has an enabled urgent edge. No controller has an unprocessed
-    /// change of the plant or of a timer (EVOL_PL, EVOL_TI), and no timer request is pending.
+    /// Condition for a quiescent state, over variables and At. In a quiescent state, every controller is stable and in
+    /// its location W (`waiting`), and no process other than a controller has an enabled urgent edge. No controller has
+    /// an unprocessed change of the plant or of a timer (EVOL_PL, EVOL_TI), and no timer request is pending.
     Id<Expr> settled = {};
     /// Flag that is set when two stored actions have written different values (race); invalid if a race is impossible.
     Id<Variable> race = {};
@@ -202,7 +202,7 @@ std::int64_t bound_value(const Network& network, const Network::Process& process
 bool keeps_target_invariant(const Network& network, const Network::Process& process, const Network::Edge& edge);
 
 /// Returns an equivalent network with one template per process and without parameters. Indices of processes and
-/// locations are unchanged, so the properties remain valid.
+/// locations are unchanged, so the properties of `network` remain valid for the result.
 Network expand(const Network& network);
 
 }  // namespace grafverif

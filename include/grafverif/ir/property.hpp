@@ -30,7 +30,7 @@ enum class Pattern {
     RawLtl,  ///< `raw`: formula for an external tool
 };
 
-/// Maximum count of a Sentence. The observer of a Sentence has two locations per unit of the count.
+/// Maximum count of a Sentence, because the observer of a Sentence has two locations per unit of the count.
 inline constexpr std::int64_t greatest_count = 100;
 
 /// A property that an observer automaton decides: it has a duration, a count or a scope, or its kind is Precedence. The
@@ -64,7 +64,7 @@ struct Property {
     Pattern pattern = Pattern::Always;
     std::vector<Id<Expr>> operands = {};
     std::string raw = {};
-    Sentence watch = {};     ///< used only by Pattern::Watched
+    Sentence watch = {};     ///< parameters of the pattern Watched; unused for other patterns
     bool at_stable = false;  ///< true if the property is evaluated only in quiescent states
     bool expected_violated = false;
     Span origin = {};

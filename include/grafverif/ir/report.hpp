@@ -19,7 +19,7 @@ namespace grafverif {
 struct CheckSettings {
     std::string engine = {};  ///< engine name, such as `timed`
     std::string mode = {};    ///< `stability-search` or `every-cycle`; both if the controllers have different modes
-    std::string grain = {};   ///< `phased`, `atomic`
+    std::string grain = {};   ///< grain: `phased` or `atomic`
     std::int64_t time_unit_ms = 1000;
     /// Task cycles of the controllers, such as `task cycle 10ms`; empty if all cycle times are zero.
     std::string cycle = {};
@@ -56,7 +56,7 @@ struct Report {
     CheckSettings settings = {};
     std::vector<PropertyResult> answers = {};
     std::vector<ModelErrorTrace> error_traces = {};
-    std::vector<std::string> failures = {};    ///< internal errors: runs that fail the replay and are not reported
+    std::vector<std::string> failures = {};    ///< internal errors: unreported runs that the replay does not confirm
     std::optional<StateProfile> profile = {};  ///< state profile, if the search was long or a profile was requested
 
     bool operator==(const Report&) const = default;

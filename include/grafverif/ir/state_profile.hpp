@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // StateProfile: the components and clocks that contribute most states of an explicit-state search. The *factor* of a
 // component is the number of sampled states divided by the number of states that remain if states that differ only in
-// this component are merged. The factor is 1 if the state of the other components determines the component. It is k if
-// the component has k values for each state of the other components.
+// this component are merged. The factor is 1 if the state of the other components determines the component. The factor
+// is k if the component has k values for each state of the other components.
 #pragma once
 
 #include <cstdint>

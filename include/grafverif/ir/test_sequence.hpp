@@ -7,15 +7,15 @@
 // after each scan. A scan reads the inputs, executes the chart in `mode` and writes the outputs. A step with a positive
 // `wait_ms` changes no input.
 //
-// Without stability search, `cycles` is 1 if a second scan with the same inputs would lead to another state. It is also
-// 1 if the user requested one cycle per step. In all other cases, `cycles` is 2; the second scan shows that the
+// Without stability search, `cycles` is 1 if a second scan with the same inputs would lead to another state. `cycles`
+// is also 1 if the user requested one cycle per step. In all other cases, `cycles` is 2; the second scan shows that the
 // controller stays in its state.
 //
 // Without stability search the first scan after power-on clears no transition: it activates the initial steps.
 // `activation` represents this scan, which has the inputs of step 1 and does not count as a test step.
 //
 // Invariants (see verify): there is at least one sequence, and each sequence has at least one step. The numbers of
-// values match the inputs and outputs, and values are in their ranges; cycles are positive. A step with a positive
+// values match the inputs and outputs, and values are in their ranges; `cycles` is positive. A step with a positive
 // `wait_ms` changes no input and is not the first step of its sequence. `lower_bound` is at most the number of steps;
 // the two numbers are equal if the number of steps is proved minimal.
 #pragma once
@@ -36,7 +36,7 @@ namespace grafverif {
 enum class TestCover {
     Transitions,  ///< every transition of the Mealy machine, for each input combination of the transition
     Evolutions,   ///< every evolution of the location automaton, each with one input combination
-    Locations,    ///< every location
+    Locations,    ///< every location of the location automaton
 };
 
 struct TestSequence {
@@ -68,7 +68,7 @@ struct TestSequence {
     std::string chart = {};
     ExecutionMode mode = ExecutionMode::StabilitySearch;
     TestCover cover = TestCover::Transitions;
-    bool one_cycle_each = false;  ///< `--hold one`
+    bool one_cycle_each = false;  ///< true if each step is applied for one cycle (option `--hold one`)
     std::vector<Variable> inputs = {}, outputs = {};
     Table<Situation> situations = {};
     std::vector<Sequence> sequences = {};

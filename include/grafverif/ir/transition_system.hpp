@@ -90,15 +90,15 @@ struct TransitionSystem {
     struct Instance {
         std::string name = {};
         Id<Module> module = {};
-        std::vector<Id<Symbol>> arguments = {};  ///< arguments, which are symbols of main
+        std::vector<Id<Symbol>> arguments = {};  ///< arguments for the parameters of the module: symbols of main
         bool operator==(const Instance&) const = default;
     };
 
     /// A property of the closed loop that the transition system cannot express, with the reason.
     struct Omitted {
-        Property property = {};  ///< the property, without operands
+        Property property = {};  ///< the omitted property, without operands
         std::string reason = {};
-        std::size_t before = 0;  ///< index of the property of the system before which the omitted property is declared
+        std::size_t before = 0;  ///< position of the omitted property: index of the next property in `properties`
         bool operator==(const Omitted&) const = default;
     };
 
@@ -134,7 +134,7 @@ struct TransitionSystem {
     /// A subsystem: a set of instances of an interleaved system. These instances share no variables with instances of
     /// other subsystems; all subsystems share only time and the choice of the moving instance.
     struct Subsystem {
-        std::string name = {};  ///< displayed name
+        std::string name = {};  ///< displayed name of the subsystem
         std::vector<Id<Instance>> instances = {};
         /// Symbols of main that belong to this subsystem. Each symbol is paired with the constant that replaces it if
         /// the subsystem is omitted.
@@ -149,7 +149,7 @@ struct TransitionSystem {
         std::vector<Subsystem> each = {};  ///< the subsystems; empty if the system cannot be decomposed
         /// True in a step in which no subsystem moves; with discrete time, time passes in this step.
         Id<Expr> waits = {};
-        /// Only with discrete time: true if some instance can move; true if time can pass.
+        /// Only with discrete time. `can_move`: some instance can move. `can_wait`: time can pass.
         Id<Expr> can_move = {}, can_wait = {};
         bool operator==(const Subsystems&) const = default;
     };
@@ -161,7 +161,7 @@ struct TransitionSystem {
     Exprs exprs = {};
     Table<Module> modules = {};
     Id<Module> main = {};
-    Table<Instance> instances = {};            ///< instances in main
+    Table<Instance> instances = {};            ///< module instances in main
     std::vector<Id<Instance>> observers = {};  ///< observers, which monitor the steps of this system
     Table<Property> properties = {};           ///< properties over symbols of main
     /// Condition for a quiescent state, over symbols of main: the meaning of `at stable`. Every controller is stable

@@ -45,9 +45,9 @@ enum class Outcome { Holds, Violated, Unknown };
 /// Reason for an unknown verdict.
 enum class UnknownReason {
     None,
-    Bound,        ///< maximum number of states reached
-    Memory,       ///< memory limit reached
-    Stopped,      ///< stopped by the user or the deadline
+    Bound,        ///< the maximum number of states was reached
+    Memory,       ///< the memory limit was reached
+    Stopped,      ///< the user or the deadline stopped the engine
     Inexact,      ///< the result for integer time does not decide the property for dense time
     Unsupported,  ///< this engine does not support the property
     Faulty,       ///< the model has an error: see ModelError
@@ -92,10 +92,10 @@ struct Verdict {
     std::optional<std::uint64_t> transitions = {};
     double seconds = 0;
     SearchScope scope = {};
-    /// The input abstraction that was used, if any; then `run` is not necessarily a shortest run.
+    /// The input abstraction of the verdict, if one was used. In this case, `run` is not necessarily a shortest run.
     std::optional<InputsAbstracted> abstraction = {};
-    std::optional<Run> run = {};  ///< counterexample, or witness of a `reachable` that holds
-    Span origin = {};             ///< position of the property
+    std::optional<Run> run = {};  ///< counterexample, or witness of a `reachable` property that holds
+    Span origin = {};             ///< position of the property in the sources
 
     bool operator==(const Verdict&) const = default;
 };
@@ -130,10 +130,10 @@ std::string text_of(const Network& network, const ModelError& error);
 /// Returns an initial verdict without a result for `property`, which has the id `about` in its model.
 Verdict verdict_on(Id<Property> about, const Property& property);
 
-/// Changes a verdict to unknown, with the class of the reason and its text.
+/// Changes a verdict to unknown. The arguments are the class and the text of the reason.
 void set_unknown(Verdict& verdict, UnknownReason obstacle, std::string reason);
 
-/// Returns the reason of a verdict that a memory limit of `bytes` makes unknown: `memory limit of 512 MiB reached`.
+/// Returns the reason for an unknown verdict at a memory limit of `bytes`, such as `memory limit of 512 MiB reached`.
 std::string memory_limit_reached(std::uint64_t bytes);
 
 /// Changes the verdict of an external program to unknown (`engine-disagrees`) with the reason `why`.

@@ -13,11 +13,11 @@
 namespace grafverif {
 
 struct ProofExplanation {
-    /// Elements on which the proof of a property that holds depends.
+    /// The elements that the proof of one property needs.
     struct ProofCore {
         std::string property = {};
-        /// For a state property: the instances and timers that the proof needs if all others behave arbitrarily.
-        /// `timings` contains the instances of `parts` whose clocks the proof also needs.
+        /// For a state property: the instances and timers that the proof needs if all other instances and timers behave
+        /// arbitrarily. `timings` contains the instances of `parts` whose clocks the proof also needs.
         std::vector<std::string> parts = {}, timings = {};
         /// True if the property concerns all states; only then `parts` and `timings` are computed.
         bool about_states = false;
@@ -33,9 +33,9 @@ struct ProofExplanation {
         std::string name = {};  ///< text of the element, such as `t3`, `5`, `!a`, `A := B` or `shut -> opening`
         std::string of = {};    ///< owner of a term, instance of an edge, or line of a statement (see name_places)
         std::size_t nth = 1;    ///< number of this element among the elements with the same name, counted from 1
-        std::vector<std::string> needed_by = {};  ///< properties that fail without the element
-        std::vector<std::string> open = {};       ///< properties for which the result is unknown
-        Span origin = {};                         ///< position of a statement
+        std::vector<std::string> needed_by = {};  ///< properties that fail if the element is removed
+        std::vector<std::string> open = {};       ///< properties with an unknown result without the element
+        Span origin = {};                         ///< position of the element, if it is a statement
         bool operator==(const ModelElement&) const = default;
     };
 

@@ -34,19 +34,18 @@ struct Diagnostic {
     std::optional<Fix> fix = {};  ///< present if the remedy is unambiguous
 };
 
-/// Collects errors and warnings in the order of their discovery. At most 2 * `limit` diagnostics are stored, and no
-/// diagnostic is stored after more than `limit` errors, so that malicious input uses bounded memory. `errors` counts
-/// all errors.
+/// Collects errors and warnings in the order of their discovery. Stores at most 2 * `limit` diagnostics, and none after
+/// more than `limit` distinct errors, so that malicious input uses bounded memory. `errors` counts all errors.
 class Diagnostics {
 public:
     static constexpr std::size_t limit = 50;
     using Context = std::function<Diagnostic()>;
 
-    /// Adds a diagnostic. An equal diagnostic is counted but not stored again, and neither is a diagnostic with the
-    /// same code and position in another copy of a replicated declaration.
+    /// Adds a diagnostic. A diagnostic with the code, position and text of a stored one is counted but not stored. For
+    /// another copy of a replicated declaration, code and position are sufficient.
     void add(Diagnostic diagnostic);
-    /// Sets the note that is added to the following diagnostics, such as the copy of a replicated declaration, or no
-    /// note. `note` is called for each diagnostic. Returns the previous note.
+    /// Sets the function that returns a note for each following diagnostic, such as the copy of a replicated
+    /// declaration. An empty function adds no note. Returns the previous function.
     Context set_context(Context note);
 
     bool has_errors() const { return errors_ != 0; }
@@ -55,7 +54,7 @@ public:
     std::size_t distinct_errors() const { return errors_ - repeated_; }
     const std::vector<Diagnostic>& all() const { return stored_; }
     /// True if at least `limit` distinct errors, or many repetitions, were added. Few further errors, or none, are
-    /// stored, so that the caller may stop early or omit suggestions.
+    /// stored; therefore the caller may stop early or omit suggestions.
     bool full() const { return distinct_errors() >= limit || repeated_ >= 20 * limit; }
 
 private:

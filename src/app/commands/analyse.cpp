@@ -74,7 +74,7 @@ ExitCode finish(Analysis analysis, const ResourceLimits& bounds, CommandContext&
     return exit_code(analysis);
 }
 
-/// True if the text contains the capital letters `word`, without regard to case.
+/// True if `text` contains `word`, which is in capital letters; case is ignored.
 bool contains(std::string_view text, std::string_view word) {
     const auto capital = [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); };
     return !std::ranges::search(text, word, {}, capital, capital).empty();

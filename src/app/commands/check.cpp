@@ -26,8 +26,8 @@ namespace grafverif::app {
 
 namespace {
 
-/// The trace that is written to files. It is the trace of the first model error, otherwise of the first unexpected
-/// verdict, otherwise of the first verdict with a trace.
+/// The trace that is written to files. This trace is the trace of the first model error, otherwise of the first
+/// unexpected verdict, otherwise of the first verdict with a trace.
 struct Chosen {
     const ChartRun* trace = nullptr;
     std::string title = {};
@@ -151,7 +151,7 @@ bool compare_with_cycle_zero(Model model, Decided& decided, CommandContext& job,
 }
 
 /// Adds the HTML report to the report files, if requested. `chart` is the chart of the report if `decided` is not about
-/// a loop. Returns an exit code that is worse than `code` after an error.
+/// a loop. Returns `code` or, after an error, a worse exit code.
 ExitCode note_page(const Model& model, const Decided& decided, Id<Chart> chart, ExitCode code, CommandContext& job,
                    const ResourceLimits& bounds) {
     if (!job.options.page) return code;
@@ -186,7 +186,7 @@ ExitCode check_program(CommandContext& job, const Streams& streams) {
     auto checked = decide_program(job, bounds, shows_witnesses(job.options));
     if (!checked) return ExitCode::Input;
     auto& [model, decided] = *checked;
-    const Id<Chart> chart = std::exchange(decided.chart, {});  // the output has the locations of the property file
+    const Id<Chart> chart = std::exchange(decided.chart, {});  // the output shows the positions in the property file
     const ExitCode code = show(decided, {}, job, bounds, streams);
     return note_page(model, decided, chart, code, job, bounds);
 }

@@ -28,7 +28,7 @@ bool is_alive(std::int64_t process) {
     return process <= 0 || ::kill(static_cast<pid_t>(process), 0) == 0 || errno != ESRCH;
 }
 
-/// Runs pages of `serve`, one for each requested file, until the server ends.
+/// Runs one page of `serve` for each requested file, until the language server ends.
 class Pages {
 public:
     explicit Pages(const Options& options) : options_(options) {}

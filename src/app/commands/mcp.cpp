@@ -24,7 +24,7 @@ namespace {
 /// Maximum size of the output of a command in bytes.
 constexpr std::size_t largest_output = std::size_t{16} << 20U;
 
-/// Executes a command in a separate process, which ends at the deadline or when `stop` is set.
+/// Executes a command in a separate process. The process is ended at the deadline or when `stop` is set.
 ProgramResult execute_separately(const grafverif::mcp::CommandRun& run) {
     std::vector<std::string> words = {"/proc/self/exe"};
     words.insert(words.end(), run.arguments.begin(), run.arguments.end());

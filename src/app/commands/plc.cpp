@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// `plc`: executes a chart as a PLC does, on standard input and output. It can be the controller under test for `test
-// --against`. One line of inputs is one scan: the inputs are read, the situation becomes stable if the mode requires
-// it, and the outputs are written.
+// `plc`: executes a chart as a PLC does, on standard input and output. The command can be the controller under test for
+// `test --against`. One line of inputs is one scan: the inputs are read, the situation becomes stable if the mode
+// requires it, and the outputs are written.
 #include <fmt/format.h>
 
 #include <chrono>

@@ -42,7 +42,7 @@ std::vector<Id<Chart>> recorded_charts(const Model& model, CommandContext& job) 
     return charts;
 }
 
-/// Minimum number of instants of a long run in the HTML report.
+/// Minimum number of instants that the HTML report shows of a long recording.
 constexpr std::uint64_t least_played_instants = 2'000;
 
 std::optional<RecordingOptions> recording_options(CommandContext& job, const Limits& limits) {

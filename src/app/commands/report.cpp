@@ -14,7 +14,8 @@ namespace grafverif::app {
 
 namespace {
 
-/// Returns the runs of the only element of `charts` in the test given by `--sequence`, or nothing after an error.
+/// Returns the runs of a chart, the only element of `charts`, for the test given by `--sequence`; nothing after an
+/// error.
 std::optional<std::vector<ChartRun>> tests_of(const Model& model, const std::vector<Id<Chart>>& charts,
                                               CommandContext& job) {
     if (charts.size() > 1) {

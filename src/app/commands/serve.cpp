@@ -48,7 +48,7 @@ void open_in_browser(const std::filesystem::path& page, const Streams& streams) 
 }
 
 /// Returns a page that redirects to `address`. The browser opens this page instead of `address`: other users can read
-/// the command line of the browser, so it must not contain the token.
+/// the command line of the browser, so the command line must not contain the token.
 std::string redirect_to(const std::string& address) {
     return fmt::format(
         "<!doctype html>\n<meta charset=\"utf-8\">\n"
@@ -82,7 +82,8 @@ std::optional<std::string> served_content(CommandContext& job) {
     return job.diagnostics.has_errors() ? std::nullopt : content;
 }
 
-/// True if `content` is a text that a page can edit: the input language in UTF-8. Otherwise reports an error.
+/// True if `content` is a text that a page can edit: the input language in UTF-8. Reports an error if the result is
+/// false.
 bool can_be_edited(const std::string& content, CommandContext& job) {
     const std::string& path = job.options.operands[0];
     const Id<Source> source = job.sources.add({path, content});
@@ -115,8 +116,8 @@ ExitCode serve_page(CommandContext& job, const Streams& streams, const std::opti
                        "Press Ctrl-C to stop.\n",
                        printable(job.options.operands[0]), address)
                 << std::flush;
-    // Only this user can read the folder. It is removed when the server ends, because the browser may open the file
-    // late.
+    // Only this user can read the folder. The folder is removed only when the server ends, because the browser may open
+    // the file late.
     std::optional<TemporaryFolder> folder;
     if (job.options.open) {
         folder.emplace();

@@ -43,7 +43,7 @@ public:
     Session(Simulation& simulation, const Streams& streams)
         : simulation_(simulation), recording_(simulation), out_(streams.out) {}
 
-    /// Starts the session. If `prompts`, the choices are shown, followed by `prompt`.
+    /// Starts the session. If `prompts` is true, shows the choices and then `prompt`.
     void begin(bool prompts, std::string_view prompt = "") {
         prompts_ = prompts;
         prompt_ = prompt;
@@ -320,7 +320,7 @@ ExitCode simulate_loop(const Model& model, CommandContext& job, const Streams& s
 
 ExitCode simulate_chart(const Model& model, CommandContext& job, const Streams& streams) {
     const auto chart = chosen_chart(model, job);
-    if (!chart || !equations_of(model, *chart, job)) return ExitCode::Input;  // the interpreter requires equations
+    if (!chart || !equations_of(model, *chart, job)) return ExitCode::Input;  // requires the equations of the chart
     Simulation simulation(model.charts[*chart], execution_mode(model, *chart, job), detail_of(job));
     return move(simulation, {&model.charts[*chart]}, job, streams);
 }

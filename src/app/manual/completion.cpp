@@ -9,8 +9,8 @@ namespace grafverif::app {
 
 namespace {
 
-/// The values that a shell proposes for an option or operand. They follow from the name of the value in the option
-/// table, for example `text|json`, `FILE`, `DIR` or `NAME`.
+/// The values that a shell proposes for an option or operand. The proposed values follow from the name of the value in
+/// the option table, for example `text|json`, `FILE`, `DIR` or `NAME`.
 struct Completed {
     enum class Kind { Words, Files, Folders, Other };
     Kind kind = Kind::Other;

@@ -162,7 +162,7 @@ void EditedFile::watch() {
             take_changes();
             keep_unsaved();
         } catch (const std::exception&) {
-            continue;  // for example, memory is short; tried again after the interval
+            continue;  // for example, memory is exhausted; the next iteration tries again
         }
         if (version_ == before) continue;
         lock.unlock();
@@ -171,7 +171,7 @@ void EditedFile::watch() {
     }
 }
 
-/// Takes changes of the files on the disk.
+/// Updates the text and the state after changes of the files on the disk.
 void EditedFile::take_changes() {
     if (included_.changed()) {
         changing_();
@@ -241,7 +241,7 @@ void EditedFile::keep_unsaved() {
     }
 }
 
-/// Continues with the changes of an earlier run.
+/// Restores the changes of an earlier run from the recovery file.
 void EditedFile::restore() {
     std::string why;
     const auto content = content_of_file(recovery_, why, largest_recovery);
@@ -284,7 +284,7 @@ std::string EditedFile::save() {
     return {};
 }
 
-/// Returns the text of steps.
+/// Returns the text of the steps that the request names, to be copied.
 std::string EditedFile::copy(const nlohmann::ordered_json& request) {
     std::vector<std::uint32_t> at;
     if (request.contains("steps") && request["steps"].is_array())
@@ -296,7 +296,8 @@ std::string EditedFile::copy(const nlohmann::ordered_json& request) {
     return json_text(Json{{"problem", printable(copy.obstacle)}, {"text", page_text(copy.text)}}, -1);
 }
 
-/// Returns proposals between the texts `before` and `after` of a page. Reads only immutable members, without the lock.
+/// Returns the proposals for completion at a position of the text, between `before` and `after`. Reads only immutable
+/// members, without the lock.
 std::string EditedFile::completion(const nlohmann::ordered_json& request) const {
     const std::string before = text_in(request, "before"), text = before + text_in(request, "after");
     Json list = Json::array();

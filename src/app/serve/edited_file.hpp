@@ -3,7 +3,8 @@
 //
 // Only a request to save writes the file. If another program has changed the file since it was read, the file is not
 // written until the user has chosen a version. Changes that are not saved are also kept in a recovery file in the same
-// folder, which the next start reads, so that they survive the end of the server. It is removed when the file is saved.
+// folder, which the next start reads, so that they survive the end of the server. The recovery file is removed when the
+// file is saved.
 #pragma once
 
 #include <atomic>
@@ -37,8 +38,8 @@ public:
     EditedFile(const EditedFile&) = delete;
     EditedFile& operator=(const EditedFile&) = delete;
 
-    /// Starts a thread that watches the file and writes the recovery file. From then on, `changing` is called before each
-    /// change of the text, while `text` waits for the end of the change, and `changed` is called after each change.
+    /// Starts a thread that watches the file and writes the recovery file. From then on, `changing` is called before
+    /// each change of the text, and `changed` after it. Until the change is complete, calls of `text` wait.
     void begin(std::function<void()> changing, std::function<void()> changed);
     /// Ends the thread, and writes the recovery file a last time.
     void end();
@@ -53,7 +54,8 @@ public:
     std::string text() const;
     /// Returns the path of the recovery file if it contains changes that are not saved; otherwise an empty string.
     std::string unsaved() const;
-    /// Returns the reason why changes that are not saved are not in the recovery file either; otherwise an empty string.
+    /// Returns the reason why the recovery file does not contain the changes that are not saved; otherwise an empty
+    /// string.
     std::string loss() const;
 
 private:

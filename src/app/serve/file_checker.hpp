@@ -24,13 +24,14 @@ struct CheckedFile {
     ParseResult reading = {};
     std::vector<std::optional<Network>> networks = {};  ///< network of each closed loop; empty if the loop was rejected
     std::vector<bool> runs = {};                        ///< for each chart: true if it can be simulated without a loop
-    std::uint64_t number = 0;                           ///< number of the parse
+    std::uint64_t number = 0;                           ///< consecutive number of the parse
 };
 
 class FileChecker {
 public:
     /// Another thread calls `changed` after every change of the state. All arguments must outlive the object. If `text`
-    /// is given, it returns the text of the file, which is not read from the disk; `refresh` reports its changes.
+    /// is given, the file is not read from the disk: `text` returns its content, and the caller reports changes by
+    /// `refresh`.
     FileChecker(const Options& options, std::function<void()> changed, std::function<std::string()> text = {});
     ~FileChecker();
     FileChecker(const FileChecker&) = delete;

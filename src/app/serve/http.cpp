@@ -73,8 +73,8 @@ std::string_view text_of(boost::beast::string_view view) { return {view.data(), 
     throw std::system_error(error.value(), std::generic_category(), what);
 }
 
-/// Sets the headers of every response. They forbid caching, loading or embedding by other sites, guessing of media
-/// types, and sending the address of the page as a referrer.
+/// Sets the headers of every response. The headers forbid caching, loading or embedding by other sites, guessing of
+/// media types, and sending the address of the page as a referrer.
 template <class Message>
 void set_headers(Message& message) {
     message.set(http::field::cache_control, "no-store");
@@ -84,7 +84,7 @@ void set_headers(Message& message) {
     message.set("Cross-Origin-Resource-Policy", "same-origin");
 }
 
-/// Threads for the handler: at most `answering_threads`, and as many as the system permits. Throws if no thread can be
+/// Threads for the handler: as many as the system permits, at most `answering_threads`. Throws if no thread can be
 /// started. asio::thread_pool is not suitable: its constructor waits forever if the system permits some threads but not
 /// all.
 class HandlerThreads {

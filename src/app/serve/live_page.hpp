@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// LivePage: serves a file as a page on this computer. The page of `serve` is updated after every change of the file, and
-// provides reports and simulations on request (docs/how-to/serve.md). The page of `edit` also changes the file
+// LivePage: serves a file as a page on this computer. The page of `serve` is updated after every change of the file,
+// and provides reports and simulations on request (docs/how-to/serve.md). The page of `edit` also changes the file
 // (docs/how-to/edit.md).
 #pragma once
 
@@ -28,7 +28,8 @@ public:
     void run(const std::atomic<bool>& stop);
     /// Returns the path of the recovery file if the page has changes that are not saved; otherwise an empty string.
     std::string unsaved() const;
-    /// Returns the reason why changes that are not saved are not in the recovery file either; otherwise an empty string.
+    /// Returns the reason why the recovery file does not contain the changes that are not saved; otherwise an empty
+    /// string.
     std::string loss() const;
 
 private:

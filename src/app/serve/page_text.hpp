@@ -16,7 +16,8 @@ std::string page_text(std::string_view text);
 std::string with_line_ends(std::string_view page, std::string_view file);
 
 /// Returns the text of the file after a user has changed the text of the page to `page`. `before` is the text of the
-/// file before this change. All line ends outside of the change are kept; new lines end as the first line of `before`.
+/// file before this change. All line ends outside of the change are kept; new lines have the line end of the first line
+/// of `before`.
 std::string text_of_page(std::string_view page, std::string_view before);
 
 /// Converts byte offsets in the text of a file to positions in the text of a page.
@@ -27,7 +28,7 @@ public:
     std::uint32_t of(std::size_t offset) const { return units_[offset < units_.size() ? offset : units_.size() - 1]; }
 
 private:
-    std::vector<std::uint32_t> units_ = {};  ///< for each byte: number of units before it
+    std::vector<std::uint32_t> units_ = {};  ///< for each byte: number of UTF-16 units before it
 };
 
 }  // namespace grafverif::app

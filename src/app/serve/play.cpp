@@ -224,7 +224,8 @@ std::map<std::string, std::string> writers_of(const Model& model, const ClosedLo
     return writers;
 }
 
-/// Returns data for highlighting a drawing: per transition its ids and the steps that enable it, per action its step.
+/// Returns data for highlighting a drawing: for each transition its ids and the steps that enable it, for each action
+/// its step.
 Json marks_of(const Chart& chart, const ElementIds& ids) {
     const Json known = chart_json(chart);
     Json transitions = Json::array(), actions = Json::array();

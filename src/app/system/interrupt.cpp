@@ -89,7 +89,7 @@ SignalBlocker::SignalBlocker() {
 
 bool SignalBlocker::none_from_now_on() {
     if (!door().try_lock()) return false;
-    if (guards == 0) return true;  // the lock is kept, so that no SignalBlocker can be created any more
+    if (guards == 0) return true;  // the lock remains held, so that no SignalBlocker can be created
     door().unlock();
     return false;
 }

@@ -45,7 +45,7 @@ struct LineEditor::Parts {
             if (count < 0 && errno == EINTR) continue;
             if (count <= 0) return 0;
             const std::size_t used = std::mbrtowc(read, &byte, 1, &state);
-            if (used == static_cast<std::size_t>(-2)) continue;  // the character is still incomplete
+            if (used == static_cast<std::size_t>(-2)) continue;  // the bytes read so far are not a complete character
             if (used == static_cast<std::size_t>(-1)) *read = L'?';
             return 1;
         }

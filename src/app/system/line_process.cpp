@@ -59,7 +59,7 @@ LineProcess::~LineProcess() {
         wait_for_end(std::chrono::milliseconds(200));
     }
     program_->end();
-    if (stopped()) work_is_done();  // allows additional time to print the results
+    if (stopped()) work_is_done();  // the watchdog allows additional time to print the results
     std::signal(SIGPIPE, pipe_signal_before_);
 }
 
@@ -71,7 +71,7 @@ Reply LineProcess::request(const std::string& line) {
 
 Reply LineProcess::result_for(const std::string& line) {
     receive();
-    if (const std::size_t end = received_.find('\n'); end != std::string::npos)  // a line without a request
+    if (const std::size_t end = received_.find('\n'); end != std::string::npos)  // an unexpected line
         return {Reply::Kind::Flood, received_.substr(0, end)};
     send(line);
     const Steady::time_point deadline = Steady::now() + limits_.response_timeout;

@@ -25,8 +25,8 @@ struct Reply {
     enum class Kind {
         Line,     ///< `text` is the line, without its terminator
         Silent,   ///< there was no line within the time limit
-        Ended,    ///< the program ended, or closed its output, before it answered
-        Flood,    ///< several lines, or a line without end; `text` is the beginning
+        Ended,    ///< the program ended, or closed its output, before it responded
+        Flood,    ///< several lines, or a line that is too long; `text` is the beginning
         Stopped,  ///< the cancellation flag was set
     };
     Kind kind = Kind::Line;
@@ -69,8 +69,8 @@ private:
     LineProcessLimits limits_;
     Descriptor to_, from_, errors_;
     std::optional<Child> program_ = {};
-    bool over_ = false;        ///< true if the last reply was not a line; the destructor then ends the program at once
-    std::string unsent_ = {};  ///< text that has not been written to the program yet
+    bool over_ = false;              ///< true if the last reply was not a line; the destructor then does not wait
+    std::string unsent_ = {};        ///< text that has not been written to the program yet
     std::string received_ = {};      ///< the response received so far
     std::string error_output_ = {};  ///< the last part of the program's output on standard error
     void (*pipe_signal_before_)(int) = nullptr;

@@ -117,7 +117,7 @@ ProgramResult run_program(const std::vector<std::string>& arguments, const std::
     {
         const SignalBlocker whole;
         child.end();
-        if (result.end == ProgramResult::End::Stopped) work_is_done();  // allows additional time to print the results
+        if (result.end == ProgramResult::End::Stopped) work_is_done();  // additional time to print results
     }
     out.take(limits.max_output);
     err.take(limits.max_output);
@@ -137,8 +137,8 @@ namespace {
 constexpr const char* lock_mark = ".grafverif-run";
 constexpr std::string_view folder_name = "grafverif-run-", random_part = "XXXXXX";
 
-/// Returns the folder at `path`, locked. The result is empty if another process holds the lock, or if `path` is not a
-/// folder.
+/// Locks the folder at `path` and returns it. The result is empty if another process holds the lock, or if `path` is
+/// not a folder.
 Descriptor locked_folder(const fs::path& path) {
     Descriptor folder(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
     return folder.open() && ::flock(folder.number(), LOCK_EX | LOCK_NB) == 0 ? std::move(folder) : Descriptor();

@@ -90,7 +90,7 @@ std::uint64_t resident() {
     if (descriptor < 0) return 0;
     const ssize_t count = ::read(descriptor, text.data(), text.size() - 1);
     ::close(descriptor);
-    std::array<std::uint64_t, 3> pages = {};  // numbers of pages: size, resident, shared
+    std::array<std::uint64_t, 3> pages = {};  // three numbers of pages: size, resident, shared
     const char* at = text.data();
     const char* const end = text.data() + std::max<ssize_t>(count, 0);
     for (std::uint64_t& each : pages) {
@@ -124,13 +124,13 @@ bool release_reserve(std::atomic<void*>& kept) {
 void no_memory() {
     if (is_reserving) throw std::bad_alloc();
     if (must_not_fail() && (release_reserve(landing) || release_reserve(reserve)))
-        return;  // operator new repeats the allocation
+        return;  // operator new then repeats the allocation
     release_reserve(reserve);
     throw std::bad_alloc();
 }
 
-/// Reserves memory, but does not touch it: the limits count the memory that a process requests, and touching 3 MiB
-/// takes half of the processor time in which the program starts. Returns false if the system refuses the memory.
+/// Reserves memory, but does not access it. The limits count the memory that a process requests. Access to 3 MiB would
+/// take half of the processor time in which the program starts. Returns false if the system refuses the memory.
 bool keep(std::atomic<void*>& kept, std::size_t size) {
     if (kept != nullptr) return true;
     is_reserving = true;
@@ -156,7 +156,7 @@ bool keep(std::atomic<void*>& kept, std::size_t size) {
     ::_exit(static_cast<int>(code));
 }
 
-/// Touches `pages` stack pages below the caller, page by page: a single large object would skip the guard page of a
+/// Accesses `pages` stack pages below the caller, page by page: a single large object would skip the guard page of a
 /// small stack.
 [[gnu::noinline]] void touch_stack(std::size_t pages) {  // NOLINT(misc-no-recursion)
     std::array<volatile char, 4096> page;

@@ -3,8 +3,8 @@
 //
 // Engines poll these limits and end in time with the results found so far. Other stages do not poll the limits, because
 // they are fast for hand-written charts or because they wait for input. The watchdog ends such a stage: after a grace
-// period it reports the reason and ends the process with exit code 3. Therefore the time limit is exceeded by at most
-// a tenth plus half a second, unless files are being written or an external program must be ended.
+// period it reports the reason and ends the process with exit code 3. Therefore the time limit is exceeded by at most a
+// tenth of the limit plus half a second, unless files are being written or an external program must be ended.
 //
 // Memory: the process requests at most the permitted amount from the system (RLIMIT_DATA). A larger allocation fails,
 // wherever it occurs, and is reported like any other error. Without --max-memory, the limit is nine tenths of the
@@ -27,11 +27,11 @@
 
 namespace grafverif::app {
 
-/// The limits of a run, and the messages, each a complete line, one of which is written to standard error when the
-/// watchdog ends the run.
+/// The limits of a run and the messages of the watchdog. Each message is a complete line; one of them is written to
+/// standard error when the watchdog ends the run.
 struct WatchdogOptions {
     std::optional<std::chrono::milliseconds> timeout = {};
-    std::optional<std::uint64_t> max_memory = {};  ///< limit in bytes
+    std::optional<std::uint64_t> max_memory = {};  ///< memory limit in bytes
     std::string timed_out = {}, interrupted = {}, out_of_memory = {};
 };
 

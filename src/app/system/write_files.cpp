@@ -42,7 +42,7 @@ void write_all(const Descriptor& to, std::string_view text, const fs::path& path
     }
 }
 
-/// Flushes to the disk if the file can be flushed.
+/// Flushes the file to the disk. Ignores a file that does not support flushing, such as a pipe.
 void flush(const Descriptor& file, const fs::path& path) {
     if (::fsync(file.number()) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS && errno != EBADF)
         cannot_write(path);
@@ -255,7 +255,7 @@ private:
         flush(copy, one.file->path);
     }
 
-    /// True if the existing file has not the content that may be replaced.
+    /// True if the existing file does not have the content that may be replaced.
     static bool has_other_content(const One& one) {
         struct stat status = {};
         if (!one.file->replaces || !is_there(one, status)) return false;
@@ -283,7 +283,7 @@ private:
         else if (!one.backup.empty()) ::unlinkat(folder, one.backup.c_str(), 0);
     }
 
-    std::deque<Folder> folders_ = {};  // a deque, because its elements do not move
+    std::deque<Folder> folders_ = {};  // a deque, because its elements stay at their addresses
     std::deque<One> files_ = {};
     std::vector<fs::path> made_ = {};
 };

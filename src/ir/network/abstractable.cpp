@@ -131,7 +131,7 @@ private:
         return own;
     }
 
-    /// True if `moves` lead to `initial` from every state. `states` is the number of all states.
+    /// True if `moves` lead to `initial` from every state. `states` is the number of reachable states.
     template <class State>
     static bool all_return(const std::vector<std::pair<State, State>>& moves, const State& initial,
                            std::size_t states) {

@@ -76,7 +76,7 @@ Id<Expr> Choices::chosen(Id<Expr> term) const {
     });
 }
 
-/// Returns the value of the choice if the variables have these values; empty if the value depends on other variables.
+/// Returns the value of `choice` for the given values of variables; empty if the value depends on other variables.
 std::optional<std::int64_t> Choices::value_of(const Choice& choice, const Values& values) const {
     const bool any = choice.op == Op::Or;
     std::optional<std::int64_t> all;

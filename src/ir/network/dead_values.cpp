@@ -22,7 +22,7 @@ using Situation = std::set<std::pair<Variable, bool>>;
 /// The situations in which a variable is read.
 using Readings = std::set<Situation>;
 
-/// Adds a situation, unless a weaker one is contained. Removes stronger ones.
+/// Adds a situation, unless `readings` contains a weaker situation (a subset). Removes stronger situations (supersets).
 void add(Readings& readings, Situation added) {
     if (std::ranges::any_of(readings, [&](const Situation& weaker) { return std::ranges::includes(added, weaker); }))
         return;
@@ -79,7 +79,7 @@ private:
         Variables written;
         const auto take = [&](const Readings& readings) {
             for (Situation reading : readings) {
-                // An activity that has changed since then does not describe the situation before the assignments.
+                // An activity that an assignment has changed may have been different before the assignments.
                 std::erase_if(reading, [&](const auto& step) { return written.contains(step.first); });
                 add(found, std::move(reading));
             }
@@ -101,7 +101,8 @@ private:
         Readings found;
         if (node.op == Op::Variable && variable_of(network_.exprs, term) == variable_) found.insert(Situation{});
         const bool absorbs = node.op == Op::And || node.op == Op::Or;
-        // If one of the operands that are activities has the other value, it determines the value of the term.
+        // The term depends on its other operands only if no operand that is an activity determines the value of the
+        // term.
         Situation others;
         for (const Id<Expr> operand : network_.exprs.operands(term))
             if (const auto step = absorbs ? activity(operand, node.op == Op::And) : std::nullopt) others.insert(*step);
@@ -138,7 +139,7 @@ private:
     const Slots slots_;
     const Variables& steps_;
     const Variable variable_;
-    std::vector<Readings> readings_;  // per location
+    std::vector<Readings> readings_;  // per location: situations of reads from this location on
     std::map<Id<Expr>, Readings> terms_ = {};
     std::map<Id<Expr>, bool> partial_ = {};
 };
@@ -185,8 +186,9 @@ private:
         return found;
     }
 
-    /// Moves the assignment of the variable after the assignments of steps, and restricts it to `readings`. Has no effect
-    /// if an assignment in between uses the variable or changes what is stored.
+    /// Moves the assignment of the variable after the assignments of steps, and restricts it to `readings`. Has no
+    /// effect if an assignment between these two places reads the variable, or writes a variable that the assigned term
+    /// reads.
     void clear(Variable variable, const Readings& readings) {
         auto& list = automaton().procedures[controller_.evolve].assignments;
         const auto is_target = [&](const Network::Assignment& assignment) { return target(assignment) == variable; };

@@ -12,7 +12,7 @@ namespace grafverif {
 
 namespace {
 
-/// Determines when the urgent edges of a process stop time, if they read only a few Boolean variables.
+/// Determines when the urgent edges of a process stop time, if these edges read only a few Boolean variables.
 class StoppingTime {
 public:
     StoppingTime(const Network& network, Id<Network::Process> id)
@@ -59,7 +59,7 @@ private:
     }
 
     const Network& network_;
-    std::vector<std::vector<Id<Expr>>> guards_;  // urgent guards per location
+    std::vector<std::vector<Id<Expr>>> guards_;  // guards of the urgent edges, per location
     std::vector<Id<Network::Variable>> read_ = {};
 };
 
@@ -171,7 +171,7 @@ private:
     void find_neighbours() {
         talks_to_.resize(network_.processes.size());
         neighbours_.resize(network_.processes.size());
-        std::vector<std::set<std::uint32_t>> readers(network_.variables.size());  // instances per variable
+        std::vector<std::set<std::uint32_t>> readers(network_.variables.size());  // readers of each variable
         // For each variable: the charts that read or write it.
         std::vector<std::set<std::uint32_t>> chart_of(network_.variables.size());
         for (const Id<Network::Process> id : network_.processes.ids()) {
@@ -225,11 +225,11 @@ private:
     static constexpr std::uint32_t none = NetworkFragments::none;
 
     const Network& network_;
-    std::vector<std::vector<std::uint32_t>> writers_;  // writing processes per variable
-    std::vector<bool> controls_;                       // for each process: true for a PLC
+    std::vector<std::vector<std::uint32_t>> writers_;  // for each variable: the processes that write it
+    std::vector<bool> controls_;                       // for each process: true if it is a PLC
     NetworkFragments cells_ = {};
-    std::vector<std::set<std::uint32_t>> talks_to_ = {};    // charts per process
-    std::vector<std::set<std::uint32_t>> neighbours_ = {};  // neighbouring instances per process
+    std::vector<std::set<std::uint32_t>> talks_to_ = {};    // for each process: the charts with which it communicates
+    std::vector<std::set<std::uint32_t>> neighbours_ = {};  // for each process: neighbouring instances
 };
 
 }  // namespace

@@ -50,7 +50,8 @@ private:
         ignore_clocks(automaton(id));
     }
 
-    /// Adds the timer to InputAbstraction::deferred. A cycle may begin as if the timer had set EVOL_TI.
+    /// Adds the timer to InputAbstraction::deferred. A cycle of the PLC may begin as if the timer had set EVOL_TI, the
+    /// request of a cycle.
     void defer(Id<Network::Process> timer) {
         made_.deferred.push_back(timer);
         for (const Network::Edge& edge : automaton(timer).edges) {
@@ -141,7 +142,7 @@ private:
             }
         });
         if (input_of.empty()) return;
-        const Exprs from = exprs;  // copied, because the table grows
+        const Exprs from = exprs;  // a copy, because the table `exprs` grows
         TermCopier copy(from, made_.network.exprs, [&](const Expr& leaf) {
             const auto found =
                 leaf.op == Op::Variable ? input_of.find({static_cast<std::uint32_t>(leaf.value)}) : input_of.end();
@@ -194,7 +195,7 @@ private:
             if (!live[plc.edges[id].to.index]) choice.widened.push_back(id);
     }
 
-    /// Makes all valuations possible again between two cycles, because an instance may move at any time.
+    /// Adds edges that make all valuations possible again between two cycles, because an instance may move at any time.
     void move_instances(const Network::Controller& controller, Network::Template& plc) {
         for (const Id<Network::Location> location : plc.locations.ids()) {
             std::vector<InputChoice*> free;
@@ -215,7 +216,7 @@ private:
         std::vector<Network::Edge> more;
         for (const Network::Edge& edge : plc.edges) {
             if (edge.from != controller.waiting || !edge.urgent) continue;
-            const Exprs from = exprs;  // copied, because the table grows
+            const Exprs from = exprs;  // a copy, because the table `exprs` grows
             const Id<Expr> woken = translate(from, edge.guard, exprs, [&](const Expr& leaf) {
                 if (leaf.op == Op::Variable && woken_.contains({static_cast<std::uint32_t>(leaf.value)}))
                     return exprs.constant(true);
@@ -244,7 +245,7 @@ private:
     const InputAblations& ablations_;
     const ChoiceLifetime lifetime_;
     std::vector<Id<Network::Process>> removed_ = {};
-    std::set<Id<Network::Variable>> woken_ = {};  // flags that Chosen instances set
+    std::set<Id<Network::Variable>> woken_ = {};  // flags of PLCs that Chosen instances set
     // Outputs of Chosen instances, with the index of their choice.
     std::map<Id<Network::Variable>, std::size_t> chosen_ = {};
     // Per choice and per location of its PLC: true if the cycle reads a variable of the choice after this location.

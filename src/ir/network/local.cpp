@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Builds a localized network. A term that reads free variables becomes a term over *choices*, which are Parameter
-// leaves while an edge is built. Each maximal subterm that reads only free variables is one choice. The operands of an
-// And or Or that read only free variables form one joint choice. The edge is then instantiated for each combination of
-// values of its choices. If there are too many combinations, the values of auxiliary variables are single choices.
+// Builds a localized network. Processes and variables that this network contains are *kept*; all other variables are
+// *free*. A term that reads free variables becomes a term over *choices*, which are Parameter leaves while an edge is
+// built. Each maximal subterm that reads only free variables is one choice. The operands of an And or Or that read only
+// free variables form one joint choice. The edge is then instantiated for each combination of values of its choices. If
+// there are too many combinations, each value of an auxiliary variable is a single choice.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -21,10 +22,11 @@ namespace grafverif {
 
 namespace {
 
-/// Flags of a term: it reads a kept variable or location; it reads a free variable or location.
+/// Flags of a term. Kept: the term reads a kept variable or location. Free: it reads a free variable or location.
 enum : std::uint8_t { Kept = 1, Free = 2 };
 
-/// True for Boolean variables by which a PLC, its timers and its cycles interact. Their values are often large terms.
+/// True for Boolean variables by which a PLC, its timers and its cycles interact. The values of these variables are
+/// often large terms.
 bool is_auxiliary(const Network::Variable& variable) {
     using enum Network::Role;
     constexpr std::array auxiliary{Flag, TimerPending, Watched, Previous};
@@ -114,12 +116,12 @@ private:
     LocalAblations ablations_;
     LocalNetwork made_ = {};
     std::vector<std::uint32_t> process_ = {};   // maps processes of the complete network to processes of the result
-    std::vector<std::uint32_t> variable_ = {};  // the same map for variables
+    std::vector<std::uint32_t> variable_ = {};  // maps variables of the complete network to variables of the result
     std::vector<std::uint8_t> reads_ = {};      // flags of each term of the complete network
-    // The same data for states in which time passes: variables with a fixed value are not free.
+    // Flags of each term for states in which time passes. In these states, variables with a fixed value are not free.
     std::vector<std::uint8_t> reads_resting_ = {};
     std::set<std::uint32_t> borders_ = {}, tied_ = {};
-    std::vector<std::vector<Id<Network::Variable>>> free_in_ = {};  // free variables per invariant
+    std::vector<std::vector<Id<Network::Variable>>> free_in_ = {};  // for each invariant: the free variables
     std::set<std::size_t> known_ = {};
     TermCopier copy_;
 
@@ -152,7 +154,7 @@ void LocalBuilder::choose_processes() {
 /// fragment. A candidate is kept if a kept process or a property reads it, if it is an integer (it may leave its
 /// range), or if it is `race`.
 void LocalBuilder::choose_variables(const std::vector<Property>& properties) {
-    std::vector<std::vector<Id<Expr>>> values(whole_.variables.size());  // values assigned by kept processes
+    std::vector<std::vector<Id<Expr>>> values(whole_.variables.size());  // for each variable: assigned values
     std::vector<Id<Network::Variable>> todo;
     std::vector<bool> needed(whole_.variables.size(), false);
     const auto need = [&](Id<Network::Variable> variable) {

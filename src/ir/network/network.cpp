@@ -16,8 +16,8 @@ namespace {
 
 bool in_range(const Type& type, std::int64_t value) { return type.low <= value && value <= type.high; }
 
-/// True if the first constraint excludes no clock value that the other constraint admits. Both constraints are upper
-/// bounds on one clock.
+/// True if each clock value that the second constraint admits also satisfies the first constraint. Both constraints are
+/// upper bounds on one clock.
 bool implied(Op relation, std::int64_t bound, Op other_relation, std::int64_t other_bound) {
     if (other_bound != bound) return other_bound < bound;
     return relation == Op::LessEqual || other_relation == Op::Less;

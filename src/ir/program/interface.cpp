@@ -95,7 +95,7 @@ Chart drawn_chart(const Chart& interface) {
     Chart chart = interface;
     const Program& program = *interface.program;
     const ProgramLayout layout = layout_of(program);
-    std::map<std::size_t, Id<Chart::Step>> steps;  // by cell
+    std::map<std::size_t, Id<Chart::Step>> steps;  // maps the memory cell of a step to the step
     for (const std::size_t cell : step_cells(layout))
         steps.emplace(cell, Id<Chart::Step>{static_cast<std::uint32_t>(steps.size())});
     std::map<std::string, Id<Chart::Variable>> labels;

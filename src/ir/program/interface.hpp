@@ -15,7 +15,7 @@
 namespace grafverif {
 
 /// Returns the memory cells that are variables of the chart and of the equations of a scan, in the order of these
-/// variables. These are all cells except constants and temporary variables.
+/// variables. The result contains all cells except constants and temporary variables.
 std::vector<std::size_t> variable_cells(const ProgramLayout& layout);
 /// Returns the memory cells that represent a step of the chart, in the order of these steps.
 std::vector<std::size_t> step_cells(const ProgramLayout& layout);
@@ -31,11 +31,11 @@ std::vector<Span> declarations_in(const Program& program, std::string_view path)
 /// and steps of the chart.
 Chart interface_of(ProgramReference program, std::string name, Span origin);
 
-/// For each transition of `drawn_chart`, in order: the statement that assigns true if the transition is cleared, and
-/// the address of the instance that executes the statement.
+/// The test of one transition: the statement that assigns true if the transition is cleared, and the instance that
+/// executes the statement. `sequence_tests` returns the tests of the transitions of `drawn_chart`, in order.
 struct SequenceTest {
     Id<Program::Statement> statement = {};
-    Id<Program::Unit> unit = {};  ///< unit of the instance
+    Id<Program::Unit> unit = {};  ///< unit of the instance that executes the statement
     std::uint32_t frame = 0;
 };
 std::vector<SequenceTest> sequence_tests(const Program& program, const ProgramLayout& layout);

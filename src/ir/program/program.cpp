@@ -9,8 +9,8 @@ namespace grafverif {
 
 namespace {
 
-/// The unit of the steps of Sequential Function Charts. The name is a keyword, so that no other unit has this name. The
-/// first cell of the unit is true while the step is active.
+/// Name of the unit of the steps of Sequential Function Charts. The name is a keyword, so that no other unit has this
+/// name. The first cell of the unit is true while the step is active.
 constexpr std::string_view step_unit = "STEP";
 
 struct Walk {
@@ -86,7 +86,7 @@ ProgramLayout layout_of(const Program& program) {
 std::vector<std::string> unique_names(const ProgramLayout& layout) {
     std::unordered_set<std::string> known;
     std::vector<std::string> names(layout.cells.size());
-    // In reverse order, so that the names of the program's variables remain unchanged.
+    // The cells are visited in reverse order, so that the names of the program's variables remain unchanged.
     for (std::size_t i = names.size(); i-- > 0;) {
         names[i] = layout.cells[i].name;
         while (!known.insert(names[i]).second) names[i] = "GLOBAL." + names[i];
@@ -98,7 +98,7 @@ Type type_of_cell(const Program& program, const ProgramLayout& layout, std::size
     const Program::Type& from = program.types[layout.cells[cell].type];
     if (from.kind == Program::Type::Kind::Boolean) return {};
     Type type = integer_type(from.low, from.high);
-    // The timers are ordered by address.
+    // The timers are sorted by address.
     const auto timer = std::ranges::lower_bound(layout.timers, cell, {}, &ProgramTimer::elapsed);
     if (timer != layout.timers.end() && timer->elapsed == cell) type.high = timer->longest;
     return type;
@@ -127,7 +127,7 @@ std::vector<std::int64_t> initial_frame(const Program& program, Id<Program::Unit
 
 std::int64_t wrapped(const Program::Type& type, std::int64_t value) {
     if (value >= type.low && value <= type.high) return value;
-    const std::int64_t count = type.high - type.low + 1;  // at most 2^32 values
+    const std::int64_t count = type.high - type.low + 1;  // at most 2^32, because types have at most 32 bits
     const std::int64_t rest = (value - type.low) % count;
     return type.low + (rest < 0 ? rest + count : rest);
 }

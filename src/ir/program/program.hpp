@@ -62,7 +62,7 @@ struct Program {
     struct Place {
         bool global = false;
         std::uint32_t offset = 0;
-        std::vector<Index> indices = {};  ///< indices that are not constant
+        std::vector<Index> indices = {};  ///< the indices of array elements that are not constant
         bool operator==(const Place&) const = default;
     };
 
@@ -72,13 +72,13 @@ struct Program {
         Not,
         And,
         Or,
-        Xor,  // Boolean or bit-string operators with any number of operands
+        Xor,  // Not, And, Or, Xor: Boolean or bit-string operators; And, Or and Xor have any number of operands
         AndThen,
-        OrElse,  // Boolean, two operands; the second is evaluated only if the first does not determine the value
+        OrElse,  // AndThen, OrElse: two Boolean operands; the second is evaluated only if necessary
         ShiftLeft,
         ShiftRight,
         RotateLeft,
-        RotateRight,  // operands: a bit string, and a constant number of places from 0 to the width of the bit string
+        RotateRight,  // shifts and rotations: a bit string, a constant number of places from 0 to its width
         Equal,
         NotEqual,
         Less,
@@ -90,12 +90,12 @@ struct Program {
         Minus,
         Times,
         Divide,
-        Modulo,  // arithmetic; quotients are truncated towards zero
+        Modulo,  // Negate to Modulo: arithmetic; quotients are truncated towards zero
         Absolute,
         Minimum,
-        Maximum,  // any number of operands
-        Limit,    // operands: least value, value, greatest value
-        Select,   // operands: condition, value if false, value if true
+        Maximum,  // Minimum, Maximum: any number of operands
+        Limit,    // Limit: operands are least value, value, greatest value
+        Select,   // Select: operands are condition, value if false, value if true
         Convert,  // wraps a number to the range of `type`; a Boolean operand is 0 or 1
         Narrow,   // converts a number to a subrange; a number outside of the subrange is a run-time fault
         IsNonzero,
@@ -104,9 +104,9 @@ struct Program {
     struct Node {
         Op op = Op::Constant;
         Id<Type> type = {};
-        std::int64_t value = 0;  ///< value of a constant
-        Place place = {};        ///< cell that is read
-        Id<Unit> unit = {};      ///< called unit
+        std::int64_t value = 0;  ///< for Constant: the value
+        Place place = {};        ///< for Read: the cell that is read
+        Id<Unit> unit = {};      ///< for Call: the called function
         std::vector<Id<Node>> operands = {};
         Span origin = {};
         bool operator==(const Node&) const = default;
@@ -135,10 +135,10 @@ struct Program {
         };
         Kind kind = Kind::Return;
         Place place = {};
-        Id<Type> type = {};     ///< type of the cell
+        Id<Type> type = {};     ///< type of the cell at `place`
         Id<Node> value = {};    ///< assigned value, selector, condition of a loop or fault, or first value of FOR
-        Id<Node> last = {};     ///< last value of FOR, evaluated once
-        std::int64_t step = 1;  ///< step of FOR
+        Id<Node> last = {};     ///< last value of a FOR loop, evaluated once
+        std::int64_t step = 1;  ///< step of a FOR loop
         Id<Unit> unit = {};
         std::vector<Arm> arms = {};  ///< branches of IF and CASE; for a loop, the only branch is its body
         bool generated = false;  ///< true for a rule of a Sequential Function Chart, which the source does not contain
@@ -152,7 +152,7 @@ struct Program {
         Section section = Section::Local;
         Id<Type> type = {};
         std::uint32_t offset = 0;
-        /// Initial value; for an array: of each element; unused for a function block or a structure.
+        /// Initial value; for an array: initial value of each element; unused for a function block or a structure.
         std::int64_t initial = 0;
         bool constant = false;
         bool input = false;        ///< true for a free input of the program: VAR_INPUT of the program, or `AT %I`
@@ -162,11 +162,11 @@ struct Program {
         bool initialized = false;  ///< true if the declaration states the initial value
         bool operator==(const Variable&) const = default;
     };
-    /// The structure of a Sequential Function Chart, of which the statements are in the body of a unit. Only
-    /// presentations use it. A step is denoted by the cell of its activity, relative to the frame of the unit.
+    /// The structure of a Sequential Function Chart, for reports, drawings and analyses. The body of a unit contains
+    /// the statements of the chart. A step is denoted by the cell of its activity, relative to the frame of the unit.
     struct Sequence {
         struct Transition {
-            std::string name = {};  ///< may be empty
+            std::string name = {};  ///< name of the transition; may be empty
             std::vector<std::uint32_t> from = {}, to = {};
             Id<Statement> test = {};  ///< executed if the transition is enabled; assigns true if it is cleared
             bool operator==(const Transition&) const = default;
@@ -176,7 +176,7 @@ struct Program {
             std::string label = {};  ///< such as `N Lamp` or `D T#2s Lamp`
             bool operator==(const Action&) const = default;
         };
-        std::vector<std::uint32_t> initial = {};  ///< initial steps
+        std::vector<std::uint32_t> initial = {};  ///< the initial steps of the chart
         std::vector<Transition> transitions = {};
         std::vector<Action> actions = {};
         bool operator==(const Sequence&) const = default;
@@ -217,11 +217,11 @@ struct Program {
 /// A run-time fault.
 enum class ProgramFault : std::uint8_t { DivisionByZero, ArrayBounds, Range, Chart };
 
-/// A cell of the program. Cells are ordered by address: first the cells of `globals`, then the cells of `main`.
 /// True if the reader created the name, for example of a timer of an action. Such a name contains a space; a name in a
 /// source cannot.
 inline bool is_generated_name(std::string_view name) { return name.find(' ') != std::string_view::npos; }
 
+/// A cell of the program. Cells are ordered by address: first the cells of `globals`, then the cells of `main`.
 struct ProgramCell {
     std::string name = {};  ///< name such as `Motor` or `T1.Q`
     Id<Program::Type> type = {};
@@ -239,7 +239,7 @@ struct ProgramTimer {
 struct ProgramInstance {
     std::string name = {};  ///< name such as `Line.Motor`
     Id<Program::Unit> unit = {};
-    std::uint32_t frame = 0;  ///< address of its first cell
+    std::uint32_t frame = 0;  ///< address of the first cell of the instance
 };
 struct ProgramLayout {
     std::vector<ProgramCell> cells = {};
@@ -251,8 +251,8 @@ struct ProgramLayout {
 };
 ProgramLayout layout_of(const Program& program);
 
-/// Returns a unique name for each cell. If a later cell has the same name, the name of the cell is preceded by
-/// `GLOBAL.`.
+/// Returns a unique name for each cell. If several cells have the same name, `GLOBAL.` precedes the names of all of
+/// them except the last.
 std::vector<std::string> unique_names(const ProgramLayout& layout);
 /// Returns the type of the values of a cell. The elapsed time of a timer is at most its maximum preset time.
 Type type_of_cell(const Program& program, const ProgramLayout& layout, std::size_t cell);

@@ -35,8 +35,8 @@ struct Scan {
     std::vector<Event> overflows = {};
     /// An execution of a statement, an evaluation of a condition of IF or WHILE, or a read of an output.
     struct Execution {
-        Id<Program::Statement> statement = {};  ///< only for a statement
-        Id<Program::Node> node = {};            ///< only for a condition
+        Id<Program::Statement> statement = {};  ///< the statement; invalid for a condition
+        Id<Program::Node> node = {};            ///< the condition; invalid for a statement
         /// For an assignment or read: the cell that is assigned or read. For a call: the first cell of the instance.
         std::uint32_t cell = 0;
         Id<Expr> reached = {};  ///< true if the execution occurs in the scan

@@ -92,7 +92,7 @@ bool set_program_options(const CompareOperand& a, const CompareOperand& b, Comma
     return job.diagnostics.errors() == before;
 }
 
-/// Returns the requested modes. An empty mode stands for the mode of the loops of FILE that contain the chart.
+/// Returns the requested modes. An empty mode represents the mode of the loops of FILE that contain the chart.
 std::vector<std::optional<ExecutionMode>> requested_modes(const Options& options) {
     if (!options.all_modes) return {options.mode};
     return {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// `mutate`: mutation testing of a chart. It determines which mutants are equivalent, which violate a property, and
-// which the test sequence detects. Several threads check mutants. Results are stored in a file, so that a stopped run
-// can be continued.
+// `mutate`: mutation testing of a chart. The command determines which mutants are equivalent, which violate a property,
+// and which the test sequence detects. Several threads check mutants. Results are stored in a file, so that a stopped
+// run can be continued.
 #include "pipeline/variants/mutate.hpp"
 
 #include <fmt/format.h>
@@ -108,7 +108,8 @@ std::chrono::milliseconds each_of(const Options& options) {
 }
 
 /// The results of a previous run and of this run. write_files replaces the file at the start, so that an unwritable
-/// file is rejected before mutants are checked. It also replaces the file at most once per second, and at the end.
+/// file is rejected before mutants are checked. During the run, write_files replaces the file at most once per second,
+/// and finally at the end.
 class StateFile {
 public:
     explicit StateFile(const Options& options)
@@ -116,7 +117,7 @@ public:
           bounds_(fmt::format("{} ms, {} bytes", each_of(options).count(), options.max_memory.value_or(0))) {}
 
     /// Opens the file. Returns false after an error: the file cannot be read, or is not a state file. Throws
-    /// std::system_error if it cannot be written.
+    /// std::system_error if the file cannot be written.
     bool open(Diagnostics& diagnostics) {
         if (!path_) return true;
         std::string why;
@@ -172,7 +173,7 @@ private:
 
 // -- a run ------------------------------------------------------------------------------------------------------------
 
-/// Selects a random sample of `most` mutants according to `seed`. Their order is unchanged.
+/// Selects a random sample of `most` mutants according to `seed`. The order of the mutants is unchanged.
 void sample(std::vector<Mutant>& all, std::uint64_t most, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     std::vector<std::size_t> order(all.size());
@@ -272,8 +273,8 @@ private:
 };
 
 /// Writes the text and the drawing of the original, and the text of each mutant that no property detects. For each of
-/// these mutants, a drawing of the original and a drawing of the mutant mark the elements that the other one does not
-/// contain. Returns false after an error.
+/// these mutants, a drawing of the original and a drawing of the mutant mark the elements that the other drawing does
+/// not contain. Returns false after an error.
 bool write_survivors(const Mutation& mutation, const MutantChecker& bench, const Model& model, Id<Chart> chart,
                      const std::string& original, CommandContext& job, const Streams& streams) {
     if (!job.options.survivors) return true;
@@ -313,7 +314,7 @@ ExitCode mutate(CommandContext& job, const Streams& streams) {
     const std::string& path = job.options.operands[0];
     const auto model = read_model(path, job);
     auto chart = model ? chosen_chart(*model, job) : std::nullopt;
-    if (chart && !model->charts[*chart].instance_of.empty())  // the text of an instance is that of its chart
+    if (chart && !model->charts[*chart].instance_of.empty())  // an instance has the text of its chart
         chart = find_chart(*model, model->charts[*chart].instance_of);
     if (!chart || !equations_of(*model, *chart, job)) return ExitCode::Input;
     const Id<Source> main = *job.sources.ids().begin(), source = model->charts[*chart].origin.source;
@@ -345,7 +346,7 @@ ExitCode mutate(CommandContext& job, const Streams& streams) {
     try {
         state.save();
     } catch (const std::system_error& failure) {
-        job.diagnostics.add(messages::io_error(failure.what()));  // the results are printed nevertheless
+        job.diagnostics.add(messages::io_error(failure.what()));  // the command continues and prints the results
     }
     if (!write_survivors(mutation, bench, *model, *chart, original, job, streams)) return ExitCode::Input;
     std::ostringstream out;

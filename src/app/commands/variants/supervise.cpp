@@ -241,7 +241,7 @@ nlohmann::ordered_json json_of(const Supervised& found, const Sources& sources) 
     return json;
 }
 
-/// Writes the text with the conditions. Returns false after an error.
+/// Writes the text of the model with the synthesized conditions. Returns false after an error.
 bool write_chart(const Supervised& found, CommandContext& job, const Streams& streams) {
     if (!job.options.output || found.outcome != Supervisor::Outcome::Found || is_disabling(found)) return true;
     if (found.file) return deliver(found.text, job, streams), true;
