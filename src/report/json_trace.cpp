@@ -38,7 +38,7 @@ Json step(const ChartRun& run, const ChartRun::Row& row) {
             {"moment", row.moment}};
 }
 
-/// Returns the index that an id has in its table; null if the id is invalid.
+/// Returns an id as a JSON number, which is the index in its table; null if the id is invalid.
 template <class T>
 Json index_of(Id<T> id) {
     return id.valid() ? Json(id.index) : Json(nullptr);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// TestReport: the results of testing a controller, step by step. They are written as text, JSON or JUnit XML.
+// TestReport: the results of testing a controller, step by step, and functions that write them as text, JSON or JUnit
+// XML.
 //
-// Invariants (see verify): there is one verdict per row of the test. A row is the activation of a sequence or one of
-// its steps. The verdict of a row is Failed if and only if `failures` contains a failure of this row. The failures are
-// in the order of the rows.
+// Invariants (see verify): there is one verdict per row of the test. A row is the activation of a sequence (its
+// power-on) or one of its steps. The verdict of a row is Failed if and only if `failures` contains a failure of this
+// row. The failures are in the order of the rows.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Trace rows: groups the events of a ChartRun into the rows of a printed trace.
 //
-//   event of an instance     separate row: the location reached, changed plant variables
+//   event of an instance     separate row with the location that the instance reaches, and changed plant variables
 //   timer expiry             separate row; other timer events are internal
 //   actions of a controller  one row per stability search that clears a transition or changes an output; other actions
 //                            are internal. In a run that counts steps: one row per evolution
@@ -32,9 +32,9 @@ public:
     TraceRowBuilder(ChartRun& run, Detail detail)
         : run_(run), detail_(detail), open_(run.controllers.size()), sampled_(run.controllers.size()) {}
 
-    /// Adds rows for new events.
+    /// Adds rows for the events that were added to the run since the last call.
     void catch_up();
-    /// Adds rows for new events, and completes open rows.
+    /// Adds rows for the events that were added to the run since the last call, and completes open rows.
     void flush();
     /// Completes the rows at the end of the run. If the loop of the run has no row, adds a row to it.
     void finish();
@@ -43,7 +43,7 @@ private:
     /// The actions of a controller since its last row.
     struct OpenRow {
         std::vector<std::vector<Id<ChartRun::Transition>>> fired = {};
-        bool first = false;    ///< true if it includes the first evolution
+        bool first = false;    ///< true if the actions include the first evolution
         bool changed = false;  ///< true if an output or a stored variable has changed
         bool written = false;  ///< true if outputs have been written since the last evolution
     };

@@ -38,7 +38,7 @@ public:
         for (std::size_t k = 0; k < elements_.size(); ++k) timers_.push_back(timer_of(k));
     }
 
-    /// Lets time pass. Returns an error if the task cycle does not allow this delay.
+    /// Lets time pass. Returns an error message if the task cycle does not allow this delay, otherwise an empty string.
     std::string pass(std::int64_t milliseconds) {
         state_ = pass_time(std::move(state_), milliseconds);
         return over_ ? "" : scans_.pass(milliseconds);
@@ -98,8 +98,8 @@ private:
             timed_[k] = act.samples && timers_[k] && act.timers[*timers_[k]];
     }
 
-    /// Returns an error if a timer has expired too early, or has not expired although its duration has elapsed. At
-    /// exactly the end of the duration, both outputs of the timer are accepted.
+    /// Returns an error message if a timer has expired too early, or has not expired although its duration has elapsed.
+    /// At exactly the end of the duration, both values of the timer output are accepted.
     std::string timers_fault() const {
         for (std::size_t k = 0; k < timers_.size(); ++k) {
             if (!timers_[k] || !run_.timers[controller_.timers[*timers_[k]]].exact) continue;
@@ -126,8 +126,8 @@ private:
         return step_variable(chart_, {static_cast<std::uint32_t>(node.value)});
     }
 
-    /// Returns, for each timed element, true if its t1 has elapsed. A timer may expire during a cycle, after the
-    /// sampling of inputs and before the evolution.
+    /// Returns, for each timed element, true if its rise time t1 has elapsed. A timer may expire during a cycle, after
+    /// the sampling of inputs and before the evolution.
     std::vector<bool> ended(const ChartRun::Act& act) const {
         if (act.done.empty()) return timed_;
         std::vector<bool> ended;
@@ -223,11 +223,11 @@ private:
     State state_;
     ScanReplay scans_;
     Values inputs_ = {};                                   ///< sampled value of each variable of the chart
-    std::vector<bool> timed_ = {};                         ///< sampled time condition of each element
+    std::vector<bool> timed_ = {};                         ///< sampled value of the time condition of each element
     std::vector<std::optional<std::size_t>> timers_ = {};  ///< timer of each element
     std::size_t evolutions_ = 0;
     bool over_ = false, raced_ = false;
-    std::string racing_ = {};  ///< the variable of the race
+    std::string racing_ = {};  ///< name of the variable of the race
 };
 
 using Replay = std::variant<ControllerReplay, ProgramControllerReplay>;

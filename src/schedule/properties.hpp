@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Translates properties of a loop to properties of an untimed model, for all schedules. LoopMeaning maps the names of
-// the loop to symbols of main. It is used to translate terms of properties, constraints and observer guards. Properties
-// that a model cannot express are added to TransitionSystem::omitted, with the reason.
+// the loop to symbols of main; with this map, terms of properties, constraints and observer guards are translated.
+// Properties that a model cannot express are added to TransitionSystem::omitted, with the reason.
 #pragma once
 
 #include <functional>

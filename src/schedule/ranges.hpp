@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Conditions under which a value is undefined (division by zero) or outside the range of its variable. Each condition
-// is a term. A condition is a constant if the types of the variables determine its value.
+// is a term. The term is constant if the types of the variables determine its value.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace grafverif::schedule {
 
-/// A total version of a term: a divisor is replaced by 1 if it is 0. The total version is necessary because a model
+/// A total version of a term: a divisor is replaced by 1 if it is 0. The total version is necessary, because a model
 /// checker also evaluates terms for values that do not occur in any run.
 struct Total {
     Id<Expr> term = {};

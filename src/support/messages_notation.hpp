@@ -19,9 +19,10 @@ Diagnostic expected_before_sentence(Span where);
 Diagnostic expected_after_colon(Span where);
 Diagnostic other_pattern(Span where, std::string_view seen, std::string_view meant);
 Diagnostic other_keyword(Span where, std::string_view seen, std::string_view meant);
-/// Names such as `Fill.T` and `Fill.X` of IEC 61131-3.
+/// A name in the notation of IEC 61131-3, such as `Fill.T` or `Fill.X`.
 Diagnostic step_member(Span where, std::string_view step_variable, std::string_view member);
-// Text whose display in editors and terminals is misleading. `more` is the number of further occurrences in the file.
+// Characters that make editors and terminals display misleading text. `more` is the number of further occurrences in
+// the file.
 Diagnostic line_separator(Span where, std::uint32_t code, std::size_t more);
 Diagnostic bidi_control(Span where, std::uint32_t code, std::size_t more);
 Diagnostic control_character(Span where, std::uint32_t code, std::size_t more);

@@ -33,8 +33,8 @@ std::size_t columns_of(std::string_view text);
 /// Returns the number of bytes of the complete characters in the first `columns` columns of `text`.
 std::size_t bytes_within(std::string_view text, std::size_t columns);
 
-/// Returns `text` if it fits into `columns` columns; otherwise the beginning of `text` and `…`. Requires `columns` >=
-/// 1.
+/// Returns `text` if it fits into `columns` columns; otherwise the beginning of `text`, followed by `…`. Requires
+/// `columns` >= 1.
 std::string cut_to(std::string_view text, std::size_t columns);
 
 /// Returns `text`, padded with trailing spaces to `columns` columns.

@@ -54,8 +54,8 @@ public:
         for (const Line operand : operands) line += " " + std::to_string(operand);
         return line_of(line + rest);
     }
-    /// Adds a line without searching for an equal line: the line is not a value, or must not be shared by several
-    /// values.
+    /// Adds a line without searching for an equal line. Used for lines that are not values, and for lines that several
+    /// values must not share.
     Line fresh(const std::string& line) {
         text_ += std::to_string(++last_) + " " + line + "\n";
         return last_;
@@ -95,7 +95,8 @@ public:
         return known_.at(root.index);
     }
 
-    // -- Booleans; `undefined` is false if it is line 0 --------------------------------------------------------------
+    // -- Booleans: `undefined` 0 means that the value is always defined
+    // --------------------------------------------------------------
 
     Line truth(bool value) { return lines_.constant(1, value ? 1 : 0); }
     Line negation(Line a) { return lines_.apply("not", 1, {a}); }
@@ -202,7 +203,7 @@ private:
                 either(left.undefined, right.undefined)};
     }
 
-    /// Marks results outside 64 bits as undefined.
+    /// Returns the word with the condition that a result outside 64 bits is undefined.
     Word cut(Word word) {
         constexpr std::uint32_t most = 64;
         if (word.width <= most) return word;

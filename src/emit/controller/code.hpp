@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Code of a controller: statements that compute one PLC cycle of a chart. Structured Text and C are printed from this
-// code.
+// Code of a controller: statements that compute one PLC cycle of a chart, from which Structured Text and C are printed.
 //
 //   every-cycle mode:                         with stability search:
 //     sample the timers                         sample the timers
@@ -15,8 +14,8 @@
 // New values are computed from old values. If an assignment would change an operand of a later assignment, the new
 // value is stored in a temporary cell (N_...).
 //
-// The printer of a target language prints the statements literally. A target language must provide Booleans, integers
-// of 16 and 32 bits, and two timers:
+// The printer of a target language translates the statements one by one. A target language must provide Booleans,
+// integers of 16 and 32 bits, and two timers:
 //   TON   true once its input has been true for the preset time
 //   TOF   true while its input is true, and for the preset time after its input has become false
 #pragma once
@@ -68,7 +67,7 @@ struct Statement {
         Call,     ///< executes `timer`
         If,       ///< begins a block, which Else or EndIf ends
         While,    ///< begins a block, which EndWhile ends
-        Else,     ///< ends the block of an If, and begins the block for a false condition
+        Else,     ///< ends the block of an If, and begins the block that is executed if the condition is false
         EndIf,
         EndWhile
     };
@@ -94,16 +93,15 @@ struct Options {
     std::uint32_t max_evolutions = 1000;  ///< maximum number of evolutions in one cycle under stability search
 };
 
-/// Returns the code, with names that are legal in `target` and differ from `reserved`. Requires
-/// verify(equations).empty(), and that the equations are expressible.
+/// Returns the code, with names that are legal in `target` and differ from the names in `reserved`. Requires
+/// verify(equations).empty(), and that `expressible` returns true.
 Code code_of(const Equations& equations, const Options& options, Target target,
              std::span<const std::string_view> reserved = {});
 
-/// True if 32-bit integers and timers compute `equations` exactly. If the result is false, reports each division by a
-/// divisor that is not constant, and each remainder of a division by -1. Also reports each value beyond 32 bits, and
-/// each duration beyond 31 bits of milliseconds. A division is reported even if a previous operand excludes a zero
-/// divisor, because `and` and `or` in Structured Text may evaluate all operands. `message` returns the error for a
-/// construct.
+/// True if code with 32-bit integers and timers can compute `equations` exactly. Otherwise, reports each division by a
+/// divisor that is not constant, each remainder of a division by -1, each value beyond 32 bits, and each duration
+/// beyond 31 bits of milliseconds. A division is reported even if a previous operand excludes a zero divisor, because
+/// `and` and `or` in Structured Text may evaluate all operands. `message` returns the error for a construct.
 bool expressible(const Equations& equations, Diagnostic (*message)(Span where, std::string_view what),
                  Diagnostics& diagnostics);
 

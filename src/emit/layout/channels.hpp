@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Data of a layered drawing during layout. `Along` is the reading direction; `across` is perpendicular to it.
+// Data of a layered drawing during layout. The direction `along` is the reading direction; the direction `across` is
+// perpendicular to it.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +25,7 @@ struct Item {
     int entry = 0;                 ///< position of incoming lines from the previous layer, relative to `at`
     int back_entry = 0;            ///< position of all other incoming lines, relative to `at`
 };
-/// The height of the space above the rows of a node with incoming backward lines.
+/// Height of the space above the rows of a node that has incoming backward lines.
 inline constexpr int back_space = 14;
 
 /// An outgoing arrow of a node. All values are distances in the direction `across`: the space before and after the line
@@ -40,7 +41,7 @@ struct Port {
     std::size_t arrow = nothing;  ///< arrow whose row contains the port; `nothing` if the port is not in a row
 };
 
-/// The lines to one node in one channel. All lines of a net join on a track.
+/// A net: the lines to one node in one channel (the space between two layers). All lines of a net join on one track.
 struct Net {
     std::size_t target = 0;
     /// Ports in the layers before and after the channel; the port towards the target is first.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The slots of a state: positions of each location, variable and clock of an expanded network. This module also
-// determines the slots that terms and edges read and write.
+// Determines the slots of a state, which are the positions of the locations, variables and clocks of an expanded
+// network, and the slots that terms and edges read and write.
 #pragma once
 
 #include <cstdint>

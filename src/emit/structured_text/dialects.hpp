@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The dialects of Structured Text: one row per dialect contains all differences from the standard.
+// Defines the dialects of Structured Text. One row per dialect contains all differences from IEC 61131-3.
 #pragma once
 
 #include <span>
@@ -10,8 +10,8 @@
 
 namespace grafverif::structured_text {
 
-/// File format of a dialect. Standard: text or PLCopen XML. PouFile: a file of a TwinCAT project. Source: text for the
-/// importer of the vendor.
+/// File format of a dialect. Standard: text or PLCopen XML. PouFile: a file of a TwinCAT project. Source: a text file
+/// that the vendor's tool imports.
 enum class FileForm { Standard, PouFile, Source };
 
 struct DialectRow {

@@ -34,7 +34,8 @@ struct Unit {
 /// Returns `text` for use inside a comment: a blank is inserted between the characters of `(*` and `*)`.
 std::string comment_text(std::string text);
 
-/// Prints the unit in the file format of the dialect. `form` selects one of the standard formats.
+/// Prints the unit in the file format of the dialect. For dialects with the standard format, `form` selects text or
+/// XML.
 void print(const Unit& unit, Form form, const DialectRow& dialect, std::ostream& out);
 
 }  // namespace grafverif::structured_text

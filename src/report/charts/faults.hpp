@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Writes results of a fault analysis as text, as JSON, and as a fault tree in the Open-PSA Model Exchange Format.
 //
-// The text contains a table of the minimal combinations for each property, the effects of each fault (FMEA), and runs.
+// The text contains, for each property, a table of the minimal combinations of faults that violate it, the effects of
+// each fault (FMEA), and runs.
 //
 // JSON: missing values are null. `trace` has the format of report/json.hpp.
 //
@@ -32,8 +33,8 @@ std::string names_of(const FaultAnalysis& analysis, const FaultSet& faults);
 std::string unproved(const FaultAnalysis& analysis, const FaultAnalysis::Cut& cut);
 /// Returns the reason why a combination has no trace.
 std::string absence_of_trace(const FaultAnalysis::Row& row, const FaultAnalysis::Cut& cut);
-/// True if the results for a property are shown. The row of an undeclared `no timelock` is omitted if this property
-/// holds without faults and for all checked combinations.
+/// True if the report shows the results for a property. It omits `no timelock` if the model does not declare this
+/// property and it holds without faults and for all checked combinations.
 bool is_shown(const FaultAnalysis::Row& row);
 
 /// The effects of a fault, one sentence each.
@@ -43,8 +44,8 @@ struct FaultEffects {
 };
 FaultEffects effects_of(const FaultAnalysis& analysis, std::size_t fault);
 
-/// If `all_runs` is true, prints a run for each minimal combination, otherwise only for the first minimal combination
-/// of each property.
+/// Prints the analysis as text. If `all_runs` is true, prints a run for each minimal combination, otherwise only for
+/// the first minimal combination of each property.
 void print_faults(const FaultAnalysis& analysis, bool all_runs, std::ostream& out);
 std::string faults_json(const FaultAnalysis& analysis, const Sources& sources);
 /// Returns a fault tree with a gate per property: the disjunction of its minimal combinations. A name in the tree is

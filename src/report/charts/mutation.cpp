@@ -19,8 +19,8 @@ using ResultKind = MutantResult::Kind;
 /// printed.
 constexpr std::size_t most_listed = 3;
 
-/// `noticed`: number of detected mutants. `decided`: number of mutants that the score includes; refused and equivalent
-/// mutants are excluded.
+/// A mutation score. `noticed`: number of detected mutants. `decided`: number of mutants that the score includes;
+/// rejected and equivalent mutants are excluded.
 struct Score {
     std::size_t noticed = 0, decided = 0;
 };

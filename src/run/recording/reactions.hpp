@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reactions: the reactions of a chart to its inputs and to elapsed times, without the times themselves. The interpreter
-// executes the reactions on a copy of the chart in which each duration is 2 ms. In this copy, the elapsed time of a
+// computes the reactions on a copy of the chart in which each duration is 2 ms. In this copy, the elapsed time of a
 // running delay is 1 ms, and that of an expired delay is 2 ms. The caller knows the real times and decides which delays
 // have expired.
 #pragma once
@@ -26,7 +26,8 @@ inline void append_number(std::string& key, std::uint64_t value) {
 struct Reaction {
     StatePointer before = {}, after = {};
     std::vector<std::vector<Id<Chart::Transition>>> fired = {};  ///< cleared transitions per evolution
-    /// For each timed element: true if its t1 or its t2 starts in this cycle.
+    /// For each timed element: true if its rise time t1 (`rise_starts`) or its fall time t2 (`fall_starts`) starts in
+    /// this cycle.
     std::vector<bool> rise_starts = {}, fall_starts = {};
     std::string problem = {};  ///< reason why the cycle has no result; empty if the cycle has a result
 };
@@ -52,14 +53,14 @@ private:
 
     Chart chart_;
     std::vector<TimedElement> elements_;
-    // A chart with counters can have any number of states. Equal states are the same object only as long as the table
-    // contains them.
+    // The tables are limited, because a chart with counters can have any number of states. Equal states are the same
+    // object only as long as the table contains them.
     std::size_t most_bytes_, bytes_ = 0;
     std::unordered_map<std::string, StatePointer> states_ = {};
     std::unordered_map<std::string, std::shared_ptr<const Reaction>> reactions_ = {};
 };
 
-/// True if the t1 (t2) of an element is running after a reaction.
+/// True if the rise time (`rises`) or the fall time (`falls`) of an element is running after a reaction.
 inline bool rises(const Timing& timing) { return timing.risen == 1; }
 inline bool falls(const Timing& timing) { return timing.fallen == 1; }
 
