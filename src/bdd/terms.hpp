@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Represents the bits of an Expr of any IR by functions of the variables of a BddSpace (see ir/bit_terms.hpp).
+// Represents the bits of an Expr of any intermediate representation by functions of the variables of a BddSpace (see
+// ir/bit_terms.hpp).
 #pragma once
 
 #include <cstdint>

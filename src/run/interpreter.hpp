@@ -3,7 +3,7 @@
 // interpreter does not use Equations, so that both implementations of the standard can be tested against each other.
 // The simulation, the emulation of a PLC and the replay of traces use it.
 //
-//   rule 1  initial situation     power_on; its steps count as activated, so the first evolution executes their actions
+//   rule 1  initial situation see power_on: the first evolution executes the activation actions of the initial steps
 //                                 on activation and clears no transition
 //   rule 2  clearing              a transition is enabled when all upstream steps are active, and cleared when its
 //                                 condition also holds
