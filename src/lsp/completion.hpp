@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Completion: proposals at the cursor. Proposals are names, with their declarations and comments, and the keywords that
-// are valid at this position.
+// Completion: computes proposals for the text at the cursor. Proposals are names, with their declarations and comments,
+// and the keywords that are valid at the cursor.
 #pragma once
 
 #include <string>

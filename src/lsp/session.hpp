@@ -22,7 +22,7 @@ namespace grafverif::lsp {
 
 class Session {
 public:
-    /// Schedules a call in the thread of the session. Thread-safe.
+    /// Schedules a call in the thread of the session. Any thread may call this function.
     using Later = std::function<void(std::function<void()>)>;
     /// `ending` is set when the client has sent `exit` or has disappeared.
     Session(const Send& send, const ServerEnvironment& surroundings, Later later, const std::atomic<bool>& ending);
@@ -90,7 +90,7 @@ private:
     Json show_verdict(const std::string& path, const std::string& loop, const std::string& property);
     Json draw(const std::string& path, const std::string& chart);
     Json simulate(const std::string& path);
-    /// Shows the document at an address if the client can show documents; otherwise, shows the message `words`.
+    /// Shows the document at the address `uri` if the client can show documents; otherwise, shows the message `words`.
     Json show(const std::string& uri, bool elsewhere, const std::string& words);
     const VerdictDetails* shown(const std::string& path, const std::string& key) const;
     void request_client(const std::string& id, const std::string& method, const Json& params);
@@ -112,7 +112,7 @@ private:
     DiagnosticStore board_ = {};
     std::vector<std::shared_ptr<const Root>> named_ = {};  ///< the roots of `names_`
     std::unique_ptr<const Names> names_ = {};
-    bool dirty_ = false;  ///< true if a text has changed, or the client lacks the diagnostics
+    bool dirty_ = false;  ///< true if a text has changed, or the current diagnostics have not been sent to the client
     std::vector<std::shared_ptr<const Root>> unmade_ = {};  ///< roots whose models have not been requested yet
     std::map<std::string, std::string> published_ = {};     ///< the last published diagnostics for each address
 
