@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// ChartText: texts of the source file that a Chart does not contain, in the order of the tables of the Chart. An empty
-// text or list has no effect.
+// ChartText: texts of the source file that a Chart does not contain, in the order of the tables of the Chart. For an
+// empty text or list, the drawing uses only the Chart.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The style and the script of pages, from `web/`, and their hashes. A page permits only scripts and styles with these
-// hashes. cmake/embed_web.cmake generates the sources.
+// Provides the style and the script of pages, from the folder `web/`, and their hashes. A page permits only scripts and
+// styles with these hashes. cmake/embed_web.cmake generates the sources.
 #pragma once
 
 #include <string_view>
