@@ -57,7 +57,7 @@ public:
             if (const auto start = value(*initial, where)) variable.initial = *start;
     }
 
-    /// Assigns the values of the initial location (`with`).
+    /// Assigns the values that the initial location declares with the keyword `with`.
     void enter_initial_location() const {
         for (const Component::Assignment& assignment : component_.locations[instance_.initial].initially) {
             const Expr& target = component_.exprs[assignment.target];
@@ -133,7 +133,7 @@ void power_on(const Component& component, const ClosedLoop::Instance& instance, 
         const Id<Variable> variable{shared->index};
         const Type bound = plant.variables[variable].type;
         here.declare(plant.variables[variable], parameter.low, parameter.high, parameter.initial, parameter.origin);
-        // Restores the type from the loop: a controller may declare a wider range than the component.
+        // Restores the type from the loop, because a controller may declare a wider range than the component.
         plant.variables[variable].type = bound;
         written.push_back(variable);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Inbox: a queue of messages of the client and results of other threads, in the order of arrival.
+// Inbox: a thread-safe queue of messages from the client and results from other threads, in the order of arrival.
 #pragma once
 
 #include <atomic>
@@ -16,7 +16,7 @@
 
 namespace grafverif::rpc {
 
-/// A message, an error in a message, or a function to call.
+/// An element of the queue: a message, an error in a message, or a function to call.
 struct Item {
     std::shared_ptr<const nlohmann::json> message = {};
     std::string error_text = {};
@@ -40,7 +40,7 @@ public:
     std::optional<Item> take(std::chrono::milliseconds timeout);
     /// True if the queue is closed and empty.
     bool closed() const;
-    /// True as soon as the queue is closed, although it may still have items.
+    /// True as soon as the queue is closed, even if it still contains items.
     const std::atomic<bool>& closing() const { return closed_; }
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A script of commands. It is parsed completely before it is executed.
+// A script of simulation commands, which is parsed completely before it is executed.
 #pragma once
 
 #include <cstddef>
