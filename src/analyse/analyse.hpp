@@ -56,8 +56,8 @@ struct AnalyseOptions {
     std::int64_t longest_count = 256;
     std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< memory limit of decision diagrams in bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
-    const std::atomic<bool>* stop = nullptr;                    ///< cancellation flag; if it is set, the available
-                                                                ///< results are returned
+    const std::atomic<bool>* stop = nullptr;  ///< cancellation flag; if it is set, the available
+                                              ///< results are returned
     /// Called for each finding as soon as the finding is known.
     std::function<void(const Finding&)> found = {};
     std::function<void(const AnalyseProgress&)> progress = {};  ///< called periodically

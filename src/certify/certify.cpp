@@ -117,7 +117,7 @@ private:
 
     Semantics& semantics_;
     std::vector<std::string_view> lines_ = {};
-    // Targets_: successors by edges, then by a delay if `waits_` is true.
+    // In `targets_`: the successors of a state by edges, then the successor by a delay if `waits_` is true.
     std::vector<std::size_t> starts_ = {}, targets_ = {};
     std::vector<bool> waits_ = {};
 };

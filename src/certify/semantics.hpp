@@ -25,8 +25,8 @@ public:
     bool last_operand(const Property& property, const State& state) {
         return concerns(property, state) && truth(property.operands.back(), state);
     }
-    /// True if `state` is a goal, that is, a state to which the property requires a path. `has_edge`: an edge can be
-    /// taken in the state. `waits`: time can pass in the state.
+    /// True if `state` is a goal, that is, a state to which the property requires a path. `has_edge`: the state has an
+    /// enabled edge. `waits`: time can pass.
     bool is_goal(const Property& property, const State& state, bool has_edge, bool waits) {
         if (property.pattern >= Pattern::NoDeadlock) return property.pattern == Pattern::NoDeadlock ? has_edge : waits;
         return property.pattern > Pattern::ExactlyOne && last_operand(property, state);
@@ -80,8 +80,8 @@ public:
     }
 
     /// Checks that no constraint distinguishes values that one cap represents: the cap of a clock in a location is not
-    /// less than the caps of the constraints in this location and, for each edge that does not reset the clock, the cap
-    /// in the target location.
+    /// less than the caps of the constraints in this location. For each edge that does not reset the clock, it is also
+    /// not less than the cap in the target location.
     void check_caps() const {
         for (const Process& process : network.processes) {
             const auto require = [&](const Location& at, std::size_t clock, Int least) {

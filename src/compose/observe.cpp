@@ -67,8 +67,8 @@ private:
     std::vector<Id<Network::Variable>> variables_;
 };
 
-/// Changes every edge of the loop so that it is enabled only after all observers have read the current state, and so
-/// that it starts a new round of the observers.
+/// Changes every edge of the loop: the edge is enabled only after all observers have read the current state, and it
+/// starts a new round of the observers.
 void show_every_state(Network& network, Id<Expr> look) {
     const Id<Expr> seen = network.exprs.apply(Op::Equal, look, network.exprs.integer(0));
     const Id<Expr> first = network.exprs.integer(1);

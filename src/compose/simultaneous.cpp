@@ -39,7 +39,7 @@ private:
         std::size_t earliest = not_overwritten;  ///< index of the first update that overwrites a variable of the term
         /// Number of nodes, where a subterm in a scratch variable counts as one node.
         std::uint64_t size = 1;
-        Id<Expr> replaced = {};                  ///< the term in which scratch variables replace shared subterms
+        Id<Expr> replaced = {};  ///< the term in which scratch variables replace shared subterms
     };
 
     Exprs& exprs() { return composition_.network.exprs; }

@@ -53,8 +53,8 @@ const char* template_name(Delays delays) {
 struct Coupling {
     /// True if the timer waits for requests; false if it follows the level of its step (Ablations::timers_as_published).
     bool requests = true;
-    bool flags = true;     ///< true if each change of the output Q sets EVOL_TI
-    bool waits = false;    ///< true if delays elapse only while `stable` is true
+    bool flags = true;   ///< true if each change of the output Q sets EVOL_TI
+    bool waits = false;  ///< true if delays elapse only while `stable` is true
 };
 
 class TimerBuilder {

@@ -329,8 +329,8 @@ InputOf declare_inputs(const Equations& equations, Automaton& automaton) {
 }
 
 /// Excludes impossible combinations of outputs of timers that observe the same term. The output of timer `one` implies
-/// the output of timer `other` if the rise time of `one` is not shorter, and its fall time is not longer, than that of
-/// `other`.
+/// the output of timer `other` in the following case: compared with `other`, the rise time of `one` is not shorter, and
+/// its fall time is not longer.
 void order_timers(const Equations& equations, const InputOf& inputs, InputSpace& space) {
     const auto end = [&](const Equations::Timer& timer) { return space.term(*inputs[timer.end.index]).bits.front(); };
     for (const Equations::Timer& one : equations.timers)

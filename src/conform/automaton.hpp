@@ -44,8 +44,8 @@ struct AutomatonOptions {
 
 /// Returns the automaton of the chart, or nullopt after at least one reported error. The function reports an error if
 /// the chart has no inputs or no outputs, if its constraints exclude every input, or if the initial situation never
-/// becomes stable. It also reports an error if two actions store different values simultaneously, if a value is
-/// undefined or out of range, or (unless `partial` is true) if a limit is reached. Requires verify(equations).empty().
+/// becomes stable. Further errors are a race of two actions, an undefined or out-of-range value, and (unless `partial`
+/// is true) a limit that is reached. Requires verify(equations).empty().
 std::optional<LocationAutomaton> location_automaton(const Equations& equations, const AutomatonOptions& options,
                                                     Diagnostics& diagnostics);
 

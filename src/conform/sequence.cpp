@@ -83,9 +83,9 @@ private:
         return std::uint64_t{state} * combinations_ + inputs;
     }
 
-    /// Adds one arc per state and input combination. A transition that stays in its state needs no separate arc if the
-    /// option `one_cycle_each` is not set, and another arc arrives in this state with the same inputs and stays there,
-    /// or a wait with these inputs starts in this state.
+    /// Adds one arc per state and input combination. Unless the option `one_cycle_each` is set, a transition that stays
+    /// in its state needs no separate arc in two cases: another arc arrives in the state with the same inputs and stays
+    /// there, or a wait with these inputs starts in the state.
     void list_all() {
         combinations_ = 1;
         for (const MealyMachine::Variable& input : machine_.inputs)

@@ -17,8 +17,8 @@ namespace grafverif::conform {
 
 namespace {
 
-// Computes a minimum-cost flow on arcs with unlimited capacity by the primal-dual method, which alternately computes
-// shortest distances under reduced costs and a maximum flow along arcs of reduced cost zero.
+// Computes a minimum-cost flow on arcs with unlimited capacity by the primal-dual method. This method alternately
+// computes shortest distances under reduced costs and a maximum flow along arcs of reduced cost zero.
 
 class Flow {
 public:

@@ -106,8 +106,8 @@ void derive_outputs(Derivation& derivation) {
                 path.push_back(visit(derivation, read));
                 continue;
             }
-            // After an error (a cycle of outputs, or a term that is too large), which has already been reported, the
-            // constant false replaces the output in the terms that read it.
+            // After an error (a cycle of outputs, or a term that is too large), the constant false replaces the output
+            // in the terms that read it. The error has already been reported.
             const Id<Expr> value = failed(derivation) ? none : output_value(derivation, top.output);
             derivation.values[top.output.index] = value.valid() ? value : none;
             marks[top.output.index] = Mark::Done;

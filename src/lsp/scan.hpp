@@ -34,7 +34,8 @@ bool is_name(std::string_view word, bool numbers);
 struct IncompleteDeclaration {
     std::vector<std::vector<std::string>> blocks = {};  ///< the tokens before each open `{`
     std::vector<std::string> words = {};  ///< tokens after the last `;` or brace, except the token at the cursor
-    bool in_text = false;                 ///< true if the cursor is in a comment or a string, where nothing is proposed
+    /// True if the cursor is in a comment or a string; completion then proposes nothing.
+    bool in_text = false;
 };
 IncompleteDeclaration half_at(std::string_view text, std::size_t cursor);
 

@@ -58,9 +58,9 @@ private:
     ProgramLayout layout_;
     /// Index of each instance by unit and frame.
     std::map<std::pair<std::uint32_t, std::size_t>, std::size_t> instances_ = {};
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> known_ = {};        ///< point by item and instance
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> known_ = {};  ///< point by item and instance
     std::vector<Point> points_ = {};
-    std::size_t scan_ = 0;                              ///< number of the current scan, from 1
+    std::size_t scan_ = 0;  ///< number of the current scan, from 1
     /// Value of each point; `before_` is the value at the end of the previous scan.
     std::vector<Value> values_ = {}, before_ = {};
     std::vector<std::size_t> now_ = {}, earlier_ = {};  ///< points evaluated in this and in the previous scan

@@ -27,7 +27,7 @@ struct PlantInstances {
     std::vector<Id<Symbol>> variables = {};                      ///< symbol in main for each variable of the network
 
     /// Adds an instance, and if necessary a module, for every process. Adds a variable of main for each variable of the
-    /// network that has no module of its own and no symbol in `known`. `known` contains the symbols of main that
+    /// network that belongs to no module and has no symbol in `known`. `known` contains the symbols of main that
     /// already represent variables of the network (outputs of controllers).
     PlantInstances(Main& main, AutomatonContext context, std::vector<Id<Symbol>> known);
 

@@ -68,8 +68,9 @@ struct ProductMachine {
         {};  ///< in a step with `waits`: time units until the next scan; invalid if there are no timers
 };
 
-/// Returns the product of `a` and `b`. Requires that `a` and `b` have the same inputs with equal types, that both sides
-/// have each of the compared outputs, and that `verify` returns an empty list for the equations of both sides.
+/// Returns the product of `a` and `b`. Requires that `a` and `b` have the same inputs with equal types, and that both
+/// sides have each of the compared outputs. Requires that `verify` returns an empty list for the equations of both
+/// sides.
 ProductMachine schedule_both(const ProductSide& a, const ProductSide& b, const ProductOptions& options);
 
 }  // namespace grafverif

@@ -7,7 +7,7 @@
 //      example, sensors follow the plant
 //   2  timers
 //   3  PLC cycles
-//   4  an edge that an invariant forces now, if it is the only such edge of its instance; for example, movements end
+//   4  an edge that an invariant forces now, if it is the only such edge of its instance; for example, movements continue
 //
 // Between two PLC cycles, the user can also force a step to be active or inactive, to explore the consequences (what-if
 // run).

@@ -28,9 +28,9 @@ std::string word_of(std::string_view name);
 /// True if the depth of some term of the network exceeds `most_depth`.
 bool is_too_deep(const Network& flat);
 
-/// Returns the text of an expanded network with `properties` instead of its own properties. The patterns of
-/// `properties` must be patterns that the timed engine supports. A property `reachable all steps` must be given as one
-/// `reachable` for each step. The text also contains the caps of the clocks.
+/// Returns the text of an expanded network, in which `properties` replace the properties of the network. The patterns
+/// of `properties` must be patterns that the timed engine supports. A property `reachable all steps` must be given as
+/// one `reachable` for each step. The text also contains the caps of the clocks.
 std::string network_text(const Network& flat, const std::vector<Property>& properties);
 
 /// Appends the line of a state. Requires that clock values above the caps have been replaced by the caps.

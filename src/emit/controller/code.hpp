@@ -99,9 +99,10 @@ Code code_of(const Equations& equations, const Options& options, Target target,
              std::span<const std::string_view> reserved = {});
 
 /// True if code with 32-bit integers and timers can compute `equations` exactly. Otherwise, reports each division by a
-/// divisor that is not constant, each remainder of a division by -1, each value beyond 32 bits, and each duration
-/// beyond 31 bits of milliseconds. A division is reported even if a previous operand excludes a zero divisor, because
-/// `and` and `or` in Structured Text may evaluate all operands. `message` returns the error for a construct.
+/// divisor that is not constant, and each remainder of a division by -1. Also reports each value beyond 32 bits, and
+/// each duration beyond 31 bits of milliseconds. A division is reported even if a previous operand excludes a zero
+/// divisor, because `and` and `or` in Structured Text may evaluate all operands. `message` returns the error for a
+/// construct.
 bool expressible(const Equations& equations, Diagnostic (*message)(Span where, std::string_view what),
                  Diagnostics& diagnostics);
 

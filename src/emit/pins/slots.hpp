@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Determines the slots of a state, which are the positions of the locations, variables and clocks of an expanded
-// network, and the slots that terms and edges read and write.
+// network. Also determines the slots that terms and edges read and write.
 #pragma once
 
 #include <cstdint>

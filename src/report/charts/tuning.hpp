@@ -38,8 +38,8 @@ std::string range_text(const TunedConstant& constant, std::size_t first, std::si
 std::string grid_text(const TunedConstant& constant);
 /// Returns the verdict as text; for an unknown verdict, with its reason.
 std::string verdict_text(const Tuning& tuning, const PointVerdict& verdict);
-/// True if the report shows the results for a property. If the model does not declare `no timelock`, the report shows
-/// it only if it is violated at a point, or if a model error makes its verdict at a point unknown.
+/// True if the report shows the results for a property. An undeclared `no timelock` is shown only if it is violated at
+/// a point, or if a model error makes its verdict at a point unknown.
 bool is_shown(const Tuning& tuning, const Tuning::Row& row);
 /// True if the verdicts are the same at all points.
 bool is_uniform(const Tuning::Row& row);

@@ -11,7 +11,7 @@
 namespace grafverif {
 
 struct Trial {
-    std::string options = {};  ///< options to add to the command; they replace options of the same name
+    std::string options = {};                  ///< options to add to the command; they replace options of the same name
     std::vector<PropertyResult> decided = {};  ///< results for open properties, without traces
     double seconds = 0;                        ///< duration of the trial
 

@@ -335,9 +335,9 @@ void RecordingCheck::end(const Hypothesis& hypothesis) {
     const auto latest = [&](const Change& change) {
         return change.time + hypothesis.zone.upper(change.clock) + jitter;
     };
-    Ticks other =
-        // A hypothesis without a deadline: another hypothesis observes the event together with an earlier event.
-        Zone::unbounded;
+    // Earliest deadline of a delay or an input change. If it precedes the deadline of the output, the output does not
+    // end the hypothesis: another hypothesis observes the delay or input change together with an earlier event.
+    Ticks other = Zone::unbounded;
     for (std::size_t k = 0; k < elements_.size(); ++k) {
         const auto deadline = [&](std::size_t start, std::int64_t milliseconds) {
             if (start == 0) return;

@@ -61,8 +61,8 @@ Deviation RecordingCheck::deviation() const {
 }
 
 /// Returns, for each clock, the range of its offset in the timings that are admissible so far. If there is no such
-/// timing, returns the range in the timing that agrees with the longest part of the recording, or nothing if a limit or
-/// a model error ended the check.
+/// timing, the range is that of the timing that agrees with the longest part of the recording. If a limit or a model
+/// error ended the check, the result is empty.
 std::vector<ClockOffset> RecordingCheck::offsets() const {
     std::vector<Zone> zones;
     for (const Hypothesis& hypothesis : hypotheses_)
