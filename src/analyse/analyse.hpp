@@ -40,7 +40,7 @@
 
 namespace grafverif {
 
-/// The progress of an analysis.
+/// The progress of an analysis, for display.
 struct AnalyseProgress {
     std::size_t questions = 0, open = 0, findings = 0;
     std::size_t part = 0, parts = 0;  ///< index of the part that is currently searched, and the number of parts

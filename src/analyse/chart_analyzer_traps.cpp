@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Evaluates queries about events that are impossible after some points, based on absorbing regions ("traps"), which no
 // run leaves. All reachable points are known. Therefore, an event is impossible after a point if no path leads from
-// this point to the event. The graph of the points contains every run of the chart. It also contains spurious runs, in
-// which timers expire in an order that is impossible for some or all durations. Therefore, a finding is valid for all
-// durations of the timers. The analysis does not find regions that are absorbing only because of durations.
+// this point to the event. The graph of the points contains every run of the chart. The graph also contains spurious
+// runs, in which timers expire in an order that is impossible for some or all durations. Therefore, a finding is valid
+// for all durations of the timers. The analysis does not find regions that are absorbing only because of durations.
 //
 // If a run aborts in an evolution, or if one of its instants never ends, an event might occur in the unknown
 // continuation of the run. Therefore, no finding is reported for points from which an aborting evolution or an endless
@@ -11,8 +11,8 @@
 //
 // An element (a step, transition or stored value) is dead in an absorbing region if its event occurs at no point of the
 // region. All regions with the same dead elements form one trap. A trap is reported with a path to a point after which
-// all of its dead elements are dead. If neither of two elements is always dead when the other element is dead, they are
-// reported with separate paths. An element whose event occurs at most once in a run belongs to a start-up or final
+// all of its dead elements are dead. Two elements are reported with separate paths if each of them can be dead while
+// the other element is not dead. An element whose event occurs at most once in a run belongs to a start-up or final
 // phase; a finding about such an element is only a note.
 #include <algorithm>
 #include <array>
@@ -105,7 +105,7 @@ bool ChartAnalyzer::has_dead_points(Passing& each, const TerminalRegions& termin
     return !each.dead_points.is_false();
 }
 
-/// Reports all traps. All regions with the same dead elements form one trap.
+/// Reports all traps. A trap consists of all absorbing regions with the same dead elements.
 void ChartAnalyzer::report_never_again(const std::vector<Passing>& dead, const TerminalRegions& terminal,
                                        const std::vector<Bdd>& regions) {
     std::map<std::vector<const Passing*>, Bdd> traps;

@@ -107,8 +107,8 @@ std::size_t mark_cone(const Dependencies& reads, Numbers open, Cone& cone) {
     return marked;
 }
 
-/// A cone, and the variables of the cone that are stored between evolutions. These variables determine the cost of its
-/// search.
+/// A cone, and the variables of the cone that are stored between evolutions. The stored variables determine the cost of
+/// searching the cone.
 struct Candidate {
     Cone cone = {};
     Numbers kept = {};

@@ -17,9 +17,9 @@ namespace grafverif::analysis {
 struct EvolutionRequirement {
     std::vector<Id<Chart::Transition>> fired = {};
     Id<Chart::Variable> race = {};  ///< two actions must store different values in this variable
-    bool fault = false;             ///< a value must be undefined or out of range
-    bool endless = false;           ///< the instant must never end
-    bool settles = false;           ///< the instant must end without being aborted
+    bool fault = false;             ///< true if a value must be undefined or out of range
+    bool endless = false;           ///< true if the instant must never end
+    bool settles = false;           ///< true if the instant must end without being aborted
     /// True if the trace contains the last instant up to its end, false if only up to the end of the path.
     bool ends = true;
 };
@@ -27,7 +27,7 @@ struct EvolutionRequirement {
 struct WitnessTrace {
     ChartRun trace = {};
     Finding::Timing timing = Finding::Timing::Untimed;
-    std::vector<Id<Chart::StoredAction>> racing = {};  ///< the two actions of a race
+    std::vector<Id<Chart::StoredAction>> racing = {};  ///< the two stored actions that race
     std::vector<std::vector<bool>> endless = {};       ///< the situations that repeat forever
     Span fault = {};                                   ///< position of a value that is undefined or out of range
     std::string failure = {};                          ///< reason why the interpreter does not confirm the run

@@ -46,7 +46,7 @@ public:
     const Bdd& started() const { return started_; }
     /// Returns the inputs with which the first evolution aborts.
     const Bdd& breaks_at_first() const { return breaks_at_first_; }
-    /// Returns the possible inputs.
+    /// Returns the possible inputs: the inputs that satisfy the ranges and constraints.
     const Bdd& possible() const { return possible_; }
     /// Returns the points in `points` that are stable: their evolution changes nothing except levels that timers watch.
     Bdd stable(const Bdd& points) const;
@@ -91,7 +91,8 @@ public:
     const Bdd& active(std::size_t step) const { return value_of_step_[step]; }
     const Bdd& fires(std::size_t firing) const { return fires_[firing]; }
     struct FaultCondition {
-        Id<Equations::Variable> variable = {};  ///< invalid for faults in conditions
+        /// Variable whose new value has the fault; invalid for faults in conditions.
+        Id<Equations::Variable> variable = {};
         Bdd race = {}, out_of_range = {}, no_value = {};
         /// Faults in the first evolution, as sets of inputs.
         Bdd first_race = {}, first_out_of_range = {}, first_no_value = {};

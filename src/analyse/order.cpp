@@ -98,7 +98,7 @@ private:
     const std::vector<Equations::Timer>& timers_;
     Reads reads_;
     std::vector<bool> marks_;
-    std::vector<Id<Expr>> values_;  ///< for each variable: its next value if it is a term, otherwise invalid
+    std::vector<Id<Expr>> values_;  ///< for each variable: the term of its next value; invalid if there is no such term
     std::vector<std::uint32_t> pending_ = {};
 };
 
@@ -183,8 +183,8 @@ std::vector<bool> variables_that_matter(const Equations& equations) {
     for (const Fault& fault : faults(equations))
         for (const Id<Expr> condition : {fault.condition, fault.first})
             if (condition.valid()) marks.mark(condition);
-    // A stored value may be out of range or undefined, unless it is a Boolean constant. Therefore the terms of all
-    // other writes are marked.
+    // Unless a stored value is a Boolean constant, it may be out of range or undefined. Therefore the terms of such
+    // writes are marked.
     for (const Equations::Stored& stored : equations.stored)
         for (const Equations::Write& write : stored.writes)
             if (!is_constant(equations.exprs[write.value].op)) marks.mark(write.value);

@@ -41,7 +41,7 @@ public:
     PathSearch(const Machine& machine, ExecutionMode mode, bool landings = true)
         : machine_(machine), mode_(mode), lands_(landings) {}
 
-    /// True if all points are found.
+    /// True if the search has found all reachable points.
     bool done() const { return !instants_.empty() && instants_.back().rest.is_false(); }
     /// Finds the points of the next instant. May throw BddExhausted; the points that are already found are kept.
     void next();

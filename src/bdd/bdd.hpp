@@ -59,7 +59,7 @@ struct Kernel;
 
 class Bdd {
 public:
-    Bdd() = default;  ///< the constant false
+    Bdd() = default;  ///< creates the constant false
     Bdd(const Bdd& other) : kernel_(other.kernel_), edge_(other.edge_) { hold(); }
     Bdd(Bdd&& other) noexcept : kernel_(std::exchange(other.kernel_, nullptr)), edge_(std::exchange(other.edge_, 0)) {}
     Bdd& operator=(const Bdd& other) {
@@ -199,7 +199,7 @@ public:
     /// variable is also the first variable of a pair.
     Bdd operator()(const Bdd& f) const;
 
-    struct Map;  ///< only for the implementation
+    struct Map;  ///< used only by the implementation
 
 private:
     std::unique_ptr<Map> map_;

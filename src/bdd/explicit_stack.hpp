@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Explicit-stack recursion for BDD operations. An operation splits its operands at their topmost level, processes both
-// cofactors and combines the results. Known results are read from the cache. Pending calls are stored as frames in the
-// kernel of the BDD space. Therefore, the depth of the native stack is constant, garbage collection finds all operands
-// that are in use, and an operation is cancelled by removing its frames.
+// Executes the recursion of BDD operations with an explicit stack. An operation splits its operands at their topmost
+// level, processes both cofactors and combines the results. Known results are read from the cache. Pending calls are
+// stored as frames in the kernel of the BDD space. Therefore, the depth of the native stack is constant, garbage
+// collection finds all operands that are in use, and an operation is cancelled by removing its frames.
 //
 // A Rule defines one operation:
 //   Operation operation             cache key

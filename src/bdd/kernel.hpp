@@ -22,11 +22,11 @@ namespace grafverif::bdd {
 struct Frame {
     Edge f = 0, g = 0, h = 0;            ///< operands of the call
     Edge low = 0;                        ///< result of the low branch, valid if `has_low`
-    std::uint32_t level = 0;             ///< branching level
+    std::uint32_t level = 0;             ///< level at which the operation splits its operands
     bool has_low = false, flip = false;  ///< `flip` is true if the result must be complemented
 };
 
-/// The stack of frames.
+/// The explicit stack of frames.
 class Frames {
 public:
     explicit Frames(Budget& budget) : frames_(budget) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Node table of a space.
+// NodeTable: the table of all nodes of a BddSpace.
 //
 // An edge represents a function by a node. The value of an edge is twice the index of the node, plus one if the
 // function is the complement of the node's function (Brace, Rudell and Bryant 1990). Node 0 is the constant: edge 0 is

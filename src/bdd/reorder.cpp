@@ -220,7 +220,7 @@ private:
     Kernel& kernel_;
     NodeTable& table_;
     std::vector<std::uint32_t> uses_;             ///< number of edges and handles to each node
-    std::vector<std::vector<std::uint32_t>> at_;  ///< nodes of each level
+    std::vector<std::vector<std::uint32_t>> at_;  ///< the nodes at each level
 };
 
 /// Charges memory to the budget during the lifetime of the object.
@@ -242,7 +242,7 @@ void reorder(Kernel& kernel) {
     kernel.cache.clear(kernel.watch);
     const Charge charge(kernel.budget,
                         16 * std::uint64_t{kernel.table.capacity} + 64 * std::uint64_t{kernel.order.size()});
-    if (charge.bytes == 0) return;  // not enough memory for reordering
+    if (charge.bytes == 0) return;  // reordering is skipped, because there is not enough memory
     try {
         Sifter(kernel).sift();
     } catch (const NoMemory&) {

@@ -2,7 +2,7 @@
 // Simplifies functions under an assumption. `restricted` sets variables to constants (exact cofactor). `simplified`
 // applies a care set, outside of which the result is arbitrary (restrict of Coudert and Madre, 1990). Variables on
 // which only the care set depends are quantified in the care set. If the care set is false for one value of a variable,
-// the result is that for the other value.
+// the result does not depend on this variable and is computed for its other value.
 #include <algorithm>
 
 #include "bdd/explicit_stack.hpp"

@@ -30,7 +30,7 @@ struct VisitedNodes {
 
 std::vector<std::uint32_t> nodes_of(Kernel& kernel, Edge root) {
     NodeTable& table = kernel.table;
-    if (table.sweeping) relink(kernel);  // an interrupted sweep still needs the marks; it is completed first
+    if (table.sweeping) relink(kernel);  // an interrupted sweep, which still needs the marks, is completed first
     VisitedNodes met(table);
     const auto meet = [&](Edge edge) {
         const std::uint32_t n = index_of(edge);

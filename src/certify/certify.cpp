@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// grafverif-certify: checks the certificate that `grafverif check --certificate FOLDER` writes. This folder is the
-// complete program; it shares no code with grafverif. docs/how-to/certificates.md describes the files and the claims.
+// grafverif-certify: checks the certificate that `grafverif check --certificate FOLDER` writes. The folder src/certify
+// contains the complete program, which shares no code with grafverif. docs/how-to/certificates.md describes the files
+// and the claims.
 //
 //   network.txt      the closed loop as a flat network of timed automata, with its properties and the caps of its clocks
 //   certificate.txt  the claims (`holds P`, `violated P` with a run), and checksums

@@ -130,8 +130,8 @@ inline constexpr std::string_view patterns[] = {"always",          "never",     
 
 struct Term {
     Op op = Op::Constant;
-    Int value = 0;          // Constant: the value
-    std::size_t place = 0;  // Value: index in State
+    Int value = 0;          // for a Constant: its value
+    std::size_t place = 0;  // for a Value: index of the value in State
     std::vector<std::size_t> operands = {};
     std::size_t depth = 1;
 };
@@ -153,7 +153,8 @@ struct Edge {
     bool urgent = false;
     std::vector<Constraint> constraint = {};
     std::set<std::size_t> resets = {};
-    std::vector<std::pair<std::size_t, std::size_t>> assignments = {};  // index in State, term
+    // Pairs of the index of the assigned variable in State, and the term of its new value.
+    std::vector<std::pair<std::size_t, std::size_t>> assignments = {};
 };
 struct Clock {
     std::string name = {};
@@ -190,10 +191,10 @@ public:
 
     std::vector<Process> processes = {};
     std::vector<Property> properties = {};
-    std::vector<Term> terms = {Term{}};  // term 0 is not used
+    std::vector<Term> terms = {Term{}};  // all terms; index 0 is not used
     std::size_t settled = 0, race = 0;   // terms
     State initial = {};
-    std::vector<std::pair<Int, Int>> ranges = {};  // by index in State
+    std::vector<std::pair<Int, Int>> ranges = {};  // range of each value of State, by its index
 
 private:
     void read_line(std::string_view kind) {

@@ -80,8 +80,8 @@ public:
     }
 
     /// Checks that no constraint distinguishes values that one cap represents: the cap of a clock in a location is not
-    /// less than the caps of the constraints in this location. For each edge that does not reset the clock, it is also
-    /// not less than the cap in the target location.
+    /// less than the caps of the constraints in this location. For each edge that does not reset the clock, the cap is
+    /// also not less than the cap of the clock in the target location.
     void check_caps() const {
         for (const Process& process : network.processes) {
             const auto require = [&](const Location& at, std::size_t clock, Int least) {
@@ -112,7 +112,7 @@ private:
             list, [&](const Constraint& one) { return combined(one.relation, state[one.clock], one.bound) != 0; });
     }
     Int value(std::size_t term, const State& state) {
-        ++round_;  // invalidates all values in memory_
+        ++round_;  // a new round invalidates all values in memory_
         return evaluate(term, state);
     }
     Int evaluate(std::size_t index, const State& state) {

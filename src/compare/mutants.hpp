@@ -3,10 +3,11 @@
 // complete file in canonical form, and can be read like any other file.
 //
 //   term-dropped        one operand of an `and` or `or` is missing
-//   term-negated        one operand, or a complete condition, is negated; if it is a negation, its `not` is missing
+//   term-negated        one operand, or a complete condition, is negated; from a negation, the `not` is removed
 //   and-or              `and` replaces `or`, or vice versa
-//   and-divergence      the branches of a parallel divergence are alternatives
-//   or-divergence       two alternatives of one step are parallel branches, with the condition of the first alternative
+//   and-divergence      the branches of a parallel divergence become alternatives
+//   or-divergence       two alternatives of one step become parallel branches, with the condition of the first
+//                       alternative
 //   wrong-successor     a transition leads to another step of its partial chart
 //   duration            a duration is twice as long
 //   action-missing      an action is missing

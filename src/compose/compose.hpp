@@ -31,9 +31,9 @@
 //
 // The assignments of a procedure are executed sequentially. If an assignment would read a variable that an earlier
 // assignment of the procedure has overwritten, a scratch variable (`COUNT_old`) stores the old value. Inputs and timer
-// outputs that evolve() and write() read are sampled in fire(), because in the phased grain they may change during the
-// cycle. An output with stored actions has an image (`LOCK_image`), which evolve() changes and write() copies to the
-// output. If there are several controllers, names begin with the name of the controller: `press_X_2`.
+// outputs that evolve() and write() read are sampled in fire(), because these values may change during the cycle in the
+// phased grain. An output with stored actions has an image (`LOCK_image`), which evolve() changes and write() copies to
+// the output. If there are several controllers, names begin with the name of the controller: `press_X_2`.
 #pragma once
 
 #include <optional>

@@ -119,7 +119,7 @@ private:
 
     /// Adds the edges by which a cycle begins in W. With a task cycle, an edge with a clock constraint begins a scan,
     /// and an urgent edge continues a scan that holds its inputs. The guard of the edge with the clock constraint is
-    /// true whenever time can pass; it is necessary only for models without clocks.
+    /// true whenever time can pass; this guard is necessary only for models without clocks.
     void begin_cycle(Location to, const std::vector<Procedure>& calls) {
         if (parts_.cycle) {
             std::vector<Network::Assignment> begin = sample_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Adds the flags EVOL_PL to the plant. An edge of the plant sets the flag EVOL_PL of a controller if and only if the
 // edge assigns an input of this controller (CEP13 6.2). If the edges of two processes with the same template set
-// different flags, a process uses a copy of the template (`sensor_2`). Components are unchanged.
+// different flags, a process uses a copy of the template (`sensor_2`). The components of the model are unchanged.
 #include <algorithm>
 #include <map>
 

@@ -298,7 +298,8 @@ private:
             if (equations_.variables[equations_.timers[i].watched].initial != 0)
                 list.push_back({leaf_of(parts_.pending[i]), exprs().constant(true)});
         if (!every_cycle_) return list;
-        for (const VariableId input : parts_.sampled)  // write() follows immediately
+        // Samples the inputs that write() reads, because write() follows immediately.
+        for (const VariableId input : parts_.sampled)
             if (is_written_late(input)) list.push_back(sampled(input));
         return list;
     }

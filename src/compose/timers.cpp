@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Adds the timers: one process per distinct time condition t1/v/t2. Timers for t1/v share the template of CEP13 Fig.
 // 33b, with two corrections. A timer as published follows the level of its step and sets EVOL_TI only when it expires.
-// Such a timer does not detect that a step is deactivated and activated again within one instant. As a result, the
+// Such a timer does not detect that its step is deactivated and activated again within one instant. As a result, the
 // pulse chart `1 -> 2 when 5s/X1; 2 -> 1 when true` clears transitions forever after the first 5 s. In this
 // implementation, the update of the step sets a request (P) whenever it changes the level, and the timer accepts the
 // request immediately and restarts. No PLC cycle starts before the request is accepted, and every change of the timer

@@ -3,8 +3,8 @@
 // steps needs to be evaluated only if the first upstream step is active. An equation whose value changes only by firing
 // needs to be evaluated only if a transition on which it depends fires. All other conditions of transitions and all
 // other equations are always evaluated. If a condition is not evaluated, it is false; if an equation is not evaluated,
-// its variable keeps its value. This saves time, because an evolution changes only few of the many variables in a large
-// chart.
+// its variable keeps its value. This method saves time, because an evolution changes only few of the many variables in
+// a large chart.
 #pragma once
 
 #include <cstdint>

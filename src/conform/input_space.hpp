@@ -39,8 +39,8 @@ std::vector<NamedInput> named(const Inputs& inputs) {
     return all;
 }
 
-/// The space of inputs. Input k is represented by word k. The bits of a word are adjacent in the variable order, and
-/// the most significant bit is the topmost bit.
+/// InputSpace: represents the inputs of a chart by variables of decision diagrams. Input k is represented by word k.
+/// The bits of a word are adjacent in the variable order, and the most significant bit is the topmost bit.
 class InputSpace {
 public:
     InputSpace(std::vector<NamedInput> inputs, const BddLimits& limits);

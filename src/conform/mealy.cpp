@@ -30,7 +30,7 @@ struct Place {
 /// The successors of a place: the inputs that lead to each next place, and the inputs without a successor.
 struct Departures {
     std::map<Place, Bdd> to = {};
-    Bdd staying = {};  ///< inputs for which the place is stable; they are also contained in `to`
+    Bdd staying = {};  ///< inputs for which the place is stable; `to` also contains these inputs
     Bdd unstable = {};
     bool operator==(const Departures& other) const { return to == other.to && unstable == other.unstable; }
 };
@@ -108,8 +108,7 @@ private:
         return grafverif::level(automaton_.locations[location], level.watched);
     }
 
-    /// Returns the place after `evolution`. Elapsed times are those of `before`, except that the evolution restarts
-    /// some of them.
+    /// Returns the place after `evolution`. Elapsed times are taken from `before`, unless the evolution restarts them.
     Place arrival(const Place& before, const Automaton::Evolution& evolution) const {
         Place place{evolution.to, {}, before.falls};
         for (std::size_t k = 0; k < levels_.size(); ++k)

@@ -12,10 +12,10 @@
 //   levels    The levels that timers observe are terms over the new values and the inputs. The values of these levels
 //             split the parts again.
 //
-// Each step is a partition. Therefore, the moves are disjoint and cover the initial set: the assumed inputs that are
-// consistent with the known timer outputs. All steps read the state before the evolution, `at`, which is constant. If
-// some input of a part has an undefined or out-of-range value, or a race, the search ends (NoResult): the chart has no
-// location automaton.
+// Each step of the computation partitions the inputs. Therefore, the moves are disjoint and cover the initial set: the
+// assumed inputs that are consistent with the known timer outputs. All steps read the state before the evolution, `at`,
+// which is constant. If some input of a part has an undefined or out-of-range value, or a race, the search ends
+// (NoResult): the chart has no location automaton.
 #include "conform/moves.hpp"
 
 #include <algorithm>

@@ -59,7 +59,7 @@ public:
         return {packed_.data() + std::size_t{state} * words_, words_};
     }
 
-    /// Returns the number of the state. Stores the state if it is new.
+    /// Returns the number of the state `state`. If the state is not in the store, adds it.
     StateId intern(std::span<const std::uint64_t> state);
 
 private:

@@ -52,8 +52,8 @@ private:
     }
 
     std::vector<Half> halves_ = {};
-    std::vector<std::vector<std::uint32_t>> out_ = {};  ///< half arcs from each node
-    std::vector<std::int64_t> supply_ = {};             ///< remaining supply or demand
+    std::vector<std::vector<std::uint32_t>> out_ = {};  ///< indices of the half arcs from each node
+    std::vector<std::int64_t> supply_ = {};             ///< remaining supply of each node; a negative value is a demand
     std::vector<std::int64_t> potential_ = {};
 };
 
@@ -130,7 +130,7 @@ std::optional<std::vector<std::uint32_t>> Flow::levels_to_demand() const {
 /// Sends the supply of `source` along the level graph as far as possible. `next` contains, per node, the first half arc
 /// that is not exhausted.
 void Flow::drain(std::uint32_t source, const std::vector<std::uint32_t>& level, std::vector<std::size_t>& next) {
-    std::vector<std::uint32_t> path;  // path from the source, as half arcs
+    std::vector<std::uint32_t> path;  // current path from `source`; its elements are indices of half arcs
     while (supply_[source] > 0) {
         const std::uint32_t node = path.empty() ? source : halves_[path.back()].to;
         if (supply_[node] < 0) {
@@ -168,7 +168,7 @@ void Flow::send(std::uint32_t source, std::uint32_t target, const std::vector<st
 
 constexpr std::uint32_t none = 0xFFFFFFFFU;
 
-/// Arcs by source node. The arcs of node n are order[first[n]] to order[first[n + 1] - 1].
+/// The arcs, grouped by source node. The arcs of node n are order[first[n]] to order[first[n + 1] - 1].
 struct Leaving {
     std::vector<std::uint32_t> first = {}, order = {};
 
@@ -215,7 +215,7 @@ bool strongly_connected(std::uint32_t nodes, std::uint32_t start, const std::vec
     return count == nodes;
 }
 
-/// How often a tour traverses each arc and ends in each node.
+/// The number of times that a tour traverses each arc and ends in each node.
 struct Crossings {
     std::vector<std::uint32_t> arcs = {};
     std::vector<std::int64_t> ends = {};  ///< for each node: number of sequences that end in the node (power cycles)

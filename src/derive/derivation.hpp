@@ -38,7 +38,7 @@ struct Hierarchy {
     std::vector<Id<Chart::PartialChart>> root_chart = {};
     /// Root charts in topological order: each chart follows the charts that enclose or force it.
     std::vector<Id<Chart::PartialChart>> order = {};
-    std::vector<std::vector<Id<Chart::Step>>> region = {};  ///< for each partial chart: steps of its region
+    std::vector<std::vector<Id<Chart::Step>>> region = {};  ///< for each partial chart: the steps of its region
     std::vector<std::vector<Id<Chart::ForcingOrder>>> orders =
         {};  ///< for each partial chart: the forcing orders that apply to its region
     /// For each forcing order: the steps that it activates, sorted.
@@ -87,16 +87,18 @@ struct Derivation {
     Equations equations = {};
     Hierarchy hierarchy = {};
     UniqueNames names = {};                             ///< names of timers and of variables of the equations
-    std::vector<Id<Equations::Variable>> steps = {};    ///< X_s of each step
-    std::vector<Id<Equations::Variable>> firings = {};  ///< CF_t of each transition
-    /// X_s of each step as a term. The terms are stored, because repeated searches for these leaves would dominate the
-    /// run time.
+    std::vector<Id<Equations::Variable>> steps = {};    ///< the variable X_s of each step
+    std::vector<Id<Equations::Variable>> firings = {};  ///< the variable CF_t of each transition
+    /// The variable X_s of each step as a term. The terms are stored, because repeated searches for these leaves would
+    /// dominate the run time.
     std::vector<Id<Expr>> step_leaves = {};
-    std::vector<Id<Expr>> firing_leaves = {};                               ///< CF_t as a term
+    /// The variable CF_t of each transition as a term.
+    std::vector<Id<Expr>> firing_leaves = {};
     std::vector<std::vector<Id<Chart::ContinuousAction>>> continuous = {};  ///< continuous actions of each variable
     std::vector<std::vector<Id<Chart::StoredAction>>> stored = {};          ///< stored actions of each variable
     std::vector<bool> reads_output = {};  ///< for each term of the chart: true if it contains a continuous output
-    std::vector<Id<Expr>> values = {};    ///< for each variable: equation (13) of a continuous output
+    /// For each variable of the chart that is a continuous output: the right-hand side of equation (13).
+    std::vector<Id<Expr>> values = {};
     std::unordered_map<std::uint32_t, Id<Equations::Variable>> previous = {};  ///< P_e for each term e of the equations
     std::unordered_map<std::uint32_t, Id<Equations::Variable>> watched = {};   ///< V_e for each term e of the equations
     /// Timers, identified by observed variable, t1 and t2.
@@ -165,7 +167,7 @@ Id<Expr> trigger_of(Derivation& derivation, const Chart::StoredAction& action);
 void derive_firings(Derivation& derivation);
 void derive_steps(Derivation& derivation);
 
-/// Derives equations (13). The outputs that an output reads are derived before this output.
+/// Derives equations (13) of all continuous outputs. The outputs that an output reads are derived before this output.
 void derive_outputs(Derivation& derivation);
 
 /// Derives next values, race conditions and first values of the variables with stored actions.

@@ -101,7 +101,7 @@ struct Refusal {
     }
 };
 
-/// Reports forbidden edges, and events that do not require an edge. Returns true after a report.
+/// Reports forbidden edges, and events that do not require an edge. Returns true if at least one error was reported.
 bool misplaced_edges(const Chart& chart, Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
     const Refusal refusal{chart, diagnostics, edges(chart.exprs)};

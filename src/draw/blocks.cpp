@@ -25,7 +25,7 @@ struct Edge {
 struct End {
     std::size_t in_count = 0, out_count = 0;
     std::size_t in = 0, out = 0;
-    std::vector<std::size_t> from_nowhere = {}, to_nowhere = {};  ///< attached blocks with a free end
+    std::vector<std::size_t> from_nowhere = {}, to_nowhere = {};  ///< attached blocks that have a free end
     bool removed = false;
 };
 
@@ -185,8 +185,8 @@ private:
         }
     }
 
-    /// Removes an edge with a free end. The block of the edge, together with the blocks `free` at the free end, is
-    /// added to `list`, the list of blocks that are attached to the other end.
+    /// Removes an edge with a free end, that is, an end without other edges. The block of the edge, together with the
+    /// blocks `free` at the free end, is added to `list`, the list of blocks that are attached to the other end.
     void hang(const std::vector<std::size_t>& free, Edge& edge, bool below, std::vector<std::size_t>& list) {
         std::size_t block = edge.block;
         if (!free.empty()) {

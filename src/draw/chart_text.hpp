@@ -10,7 +10,7 @@ namespace grafverif {
 
 struct ChartText {
     std::vector<std::string> comments = {};  ///< comments of steps, which are included in the drawing
-    /// Conditions as in the source; they are drawn in Notation::Text.
+    /// Conditions in the notation of the source, for drawings with Notation::Text.
     std::vector<std::string> transitions = {}, continuous = {};
     std::vector<std::string> events = {}, values = {};  ///< events and values of stored actions as in the source
 };

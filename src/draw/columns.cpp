@@ -94,7 +94,7 @@ private:
     /// Assigns each upward link to a lane. On each side, upward links to the same step share a lane.
     void choose_lanes() {
         std::map<std::tuple<std::size_t, Side>, std::size_t> shared;
-        std::vector<std::pair<std::size_t, Side>> places;  ///< for each lane: block and side
+        std::vector<std::pair<std::size_t, Side>> places;  ///< block and side of each lane
         for (std::size_t arc = 0; arc < flow_.arcs.size(); ++arc) {
             if (!order_.upward[arc]) continue;
             const auto [from, to] = flow_.arcs[arc];

@@ -386,10 +386,11 @@ private:
     std::vector<std::size_t> below_ = {}, above_ = {};
     std::vector<std::size_t> exit_ = {}, entry_ = {};  ///< for each arc: tracks of its stubs
     std::vector<int> upper_count_ = {}, lower_count_ = {};
-    std::vector<int> tops_ = {}, middles_ = {}, bottoms_ = {};  ///< for each channel: y positions
-    std::vector<int> centres_ = {};                             ///< for each row: y position
-    std::vector<std::size_t> begins_ = {};                      ///< for each piece: first row
-    std::vector<int> shift_x_ = {}, shift_y_ = {};              ///< for each piece: displacement
+    /// For each channel: y positions of its top, middle and bottom.
+    std::vector<int> tops_ = {}, middles_ = {}, bottoms_ = {};
+    std::vector<int> centres_ = {};                 ///< for each row: y position of its centre
+    std::vector<std::size_t> begins_ = {};          ///< for each piece of a folded flow: its first row
+    std::vector<int> shift_x_ = {}, shift_y_ = {};  ///< for each piece of a folded flow: its displacement
     /// For each cut line: its number, by boundary and x position.
     std::map<std::pair<std::size_t, int>, std::size_t> numbers_ = {};
     std::set<std::pair<std::size_t, bool>> named_ = {};

@@ -26,7 +26,7 @@ struct Routes {
         Drawing::Point at = {};  ///< end point of the line
         bool below = false;      ///< true if the label is below the end of the line
         std::size_t number = 0;
-        std::size_t arc = 0;  ///< index of an arc of the line
+        std::size_t arc = 0;  ///< index of an arc that is drawn with this line
     };
     std::vector<Drawing::Point> nodes = {};  ///< centres of the nodes
     std::vector<std::vector<Drawing::Line>> arcs = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Document: the text of one file while it is edited. Drawings, diagnostics and the positions of elements are computed
+// Document: the text of one file that is being edited. Drawings, diagnostics and the positions of elements are computed
 // from the text after each change. An operation on a drawing is a change of the text; it is rejected if the resulting
 // text has errors.
 //

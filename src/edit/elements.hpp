@@ -41,7 +41,7 @@ public:
 private:
     void add(const tree::Chart& chart, const std::vector<tree::ChartItem>& items, bool repeated);
 
-    std::vector<Element> elements_ = {};                             ///< sorted by position
+    std::vector<Element> elements_ = {};                             ///< elements, sorted by position
     std::vector<std::pair<std::uint32_t, std::size_t>> names_ = {};  ///< offset of the name of each step, and its index
 };
 

@@ -86,7 +86,7 @@ public:
         return found == choices.end() ? std::vector<tree::Name>() : *found;
     }
 
-    std::vector<const tree::Step*> steps = {};  ///< empty if the text is not a copy
+    std::vector<const tree::Step*> steps = {};  ///< the copied steps; empty if the text is not a copy
     std::vector<const tree::Transition*> transitions = {};
     std::string list = {};  ///< chart or partial chart of the originals; empty if the text does not contain it
 

@@ -52,7 +52,7 @@ private:
     void add_action(const std::string& action);
     void paste(const std::string& copied);
     /// Rejects the operation if a step variable in a copied text can denote another step than in the original chart.
-    /// This is possible if the text was copied from another chart or partial chart.
+    /// This can occur if the text was copied from another chart or partial chart.
     void reject_other_steps(const std::set<std::string>& variables, std::string_view chart);
 
     // -- declarations -------------------------------------------------------------------------------------------------

@@ -10,7 +10,7 @@
 namespace grafverif::edit {
 
 struct TextEdit {
-    std::uint32_t begin = 0, end = 0;  ///< byte offsets
+    std::uint32_t begin = 0, end = 0;  ///< byte offsets of the replaced range
     std::string replacement = {};
     bool operator==(const TextEdit&) const = default;
 };

@@ -11,7 +11,7 @@
 //
 // For `always`, `never` and `exactly one of`, the causes are values of the first state that violates the property. For
 // `leads to`, the causes are values of the first state that satisfies the premise without a response, and of all later
-// states. If a value in the loop of the run is changed, it is changed in every iteration of the loop.
+// states. A change of a value in the loop of the run applies to every iteration of the loop.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,7 @@ namespace grafverif {
 struct Causes {
     /// A cause: the value of `term` in state `state`.
     struct Pair {
-        Id<Expr> term = {};  ///< term of the network or the system
+        Id<Expr> term = {};  ///< term over the variables of the network or system
         std::size_t state = 0;
         bool operator==(const Pair&) const = default;
     };

@@ -30,7 +30,7 @@ public:
         const Id<Source> source = program_.units[program_.main].origin.source;
         for (const Id<Program::Unit> id : program_.units.ids()) {
             const Program::Unit& unit = program_.units[id];
-            if (unit.origin.source != source) continue;  // a standard function block
+            if (unit.origin.source != source) continue;  // the unit is a standard function block
             unit_ = unit.owner.valid() ? unit.owner : id;
             add(unit.body);
         }

@@ -34,7 +34,7 @@ struct Free {
     std::uint32_t variable = 0;  ///< index of the variable in the flat system
     What what = What::Move;
     std::int64_t rest = 0;
-    Values recorded = {};          ///< value in each state of the run
+    Values recorded = {};          ///< value of the variable in each state of the run
     std::vector<bool> event = {};  ///< for each state of the run: true if the variable has an event in this state
 };
 
@@ -230,7 +230,8 @@ private:
         return std::ranges::find(left_out, ChoiceEvent{free.symbol, state}) != left_out.end();
     }
 
-    /// Returns the run without the events `left_out`, or nothing if it is not a valid run or has a bad state.
+    /// Returns the run without the events `left_out`. Returns nothing if the result is not a valid run or violates the
+    /// property in some state.
     std::optional<FlatRun> without(const std::vector<ChoiceEvent>& left_out) {
         const std::size_t from = left_out.front().state;
         if (*bad_ < from) {

@@ -10,8 +10,8 @@ namespace grafverif {
 
 namespace {
 
-/// Adds a cause at one event. If the run already contains the same cause up to the event `before` or later, extends
-/// that cause instead.
+/// Adds the cause `cause`, which concerns one event, to the run. If the run already contains the same cause up to the
+/// event `before` or later, extends that cause instead.
 void append(ChartRun& run, const ChartRun::Cause& cause, std::size_t before) {
     for (ChartRun::Cause& earlier : run.causes) {
         ChartRun::Cause same = earlier;
@@ -159,7 +159,7 @@ private:
     const Network& network_;
     const std::vector<NetworkState>& states_;
     ChartRun& run_;
-    std::vector<Id<ChartRun::Instance>> instances_ = {};  // instance of each process
+    std::vector<Id<ChartRun::Instance>> instances_ = {};  // instance of the run for each process
     Places places_ = {};
 };
 
@@ -240,7 +240,7 @@ private:
     const SystemRun& shown_;
     ChartRun& run_;
     std::vector<std::size_t> moments_;
-    std::map<std::uint32_t, Id<ChartRun::Instance>> instances_ = {};  // instance of each symbol
+    std::map<std::uint32_t, Id<ChartRun::Instance>> instances_ = {};  // instance of the run for each location symbol
     Places places_ = {};
 };
 

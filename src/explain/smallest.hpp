@@ -12,7 +12,7 @@
 
 namespace grafverif {
 
-/// Result of trying a set.
+/// The result of trying a set.
 enum class Attempt {
     Does,
     DoesNot,

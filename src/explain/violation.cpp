@@ -77,7 +77,7 @@ private:
         const bool binary = sentence_.kind == Kind::Response || sentence_.kind == Kind::Precedence;
         return terms_[(binary ? 2 : 1) + number];
     }
-    /// Returns the operand that closes the scope.
+    /// Returns the operand of the sentence that closes the scope, such as s in `between r and s`.
     const std::string& closing() const { return bound(sentence_.scope == Scope::Before ? 0 : 1); }
 
     void add(std::size_t entry, std::string words) { made_.steps.push_back({moment(entry), std::move(words)}); }
@@ -165,7 +165,8 @@ private:
     std::vector<std::string> terms_ = {};  ///< operands of the sentence in quotation marks
     bool fails_ = false;                   ///< false if a required event never occurs
     bool closed_ = false;                  ///< true if the explanation includes the end of the scope
-    std::size_t bad_ = 0, opening_ = 0;    ///< indices of entries
+    /// Indices of the entries for the violation and for the opening of the scope.
+    std::size_t bad_ = 0, opening_ = 0;
     SentenceViolation made_ = {};
 };
 

@@ -22,7 +22,7 @@
 
 namespace grafverif::lsp {
 
-/// A verdict in the form in which it is displayed.
+/// A verdict in the form in which the editor displays it.
 struct VerdictDetails {
     std::string word = {};  ///< text such as `holds` or `violated, as expected`
     std::string text = {};  ///< output of `check`: the assumptions and the run

@@ -10,7 +10,7 @@
 
 namespace grafverif::lsp {
 
-/// LSP 3.17, "CompletionItemKind".
+/// Kinds of proposals, with the numbers of LSP 3.17 ("CompletionItemKind").
 enum class ProposalKind {
     Function = 3,
     Field = 5,

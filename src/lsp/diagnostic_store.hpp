@@ -19,9 +19,9 @@ struct Root {
     std::uint64_t number = 0;  ///< unique number of the parse
     Inputs inputs = {};
     ParseResult reading = {};
-    References references = {};  ///< names of all sources
+    References references = {};  ///< recorded names of all sources
     std::shared_ptr<const Places> places = {};
-    std::vector<LspDiagnostic> typed = {};  ///< the diagnostics of the parse
+    std::vector<LspDiagnostic> typed = {};  ///< the diagnostics that parsing produced
 };
 
 class DiagnosticStore {

@@ -17,12 +17,12 @@ namespace grafverif::lsp {
 
 namespace {
 
-/// LSP 3.17, "SymbolKind".
+/// Returns the number of the symbol kind in LSP 3.17 ("SymbolKind").
 int symbol_kind(DeclarationKind kind) {
     switch (kind) {
     case DeclarationKind::Chart: return 2;  // kind: module
     case DeclarationKind::Loop:
-    case DeclarationKind::Partial: return 3;  // namespace
+    case DeclarationKind::Partial: return 3;  // kind: namespace
     case DeclarationKind::Component:
     case DeclarationKind::Unit: return 5;    // kind: class
     case DeclarationKind::Action: return 6;  // kind: method

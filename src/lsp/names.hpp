@@ -28,8 +28,8 @@ struct Declaration {
     /// The element that contains this element; null for a top-level element of the file.
     const Declaration* owner = nullptr;
     const Parsed* file = nullptr;
-    Span where = {};        ///< position of its name
-    Span whole = {};        ///< position of its declaration
+    Span where = {};        ///< position of the name of the element
+    Span whole = {};        ///< position of the complete declaration
     std::size_t order = 0;  ///< number of elements that were recorded before this element
     std::string text = {};  ///< the declaration in one line; if empty, the source text is used
 };
@@ -79,12 +79,12 @@ public:
     /// `owner` may be null. If `permitted` is not empty, only elements whose kind it contains are considered.
     const Declaration* part(const Declaration* owner, std::string_view name, Kinds permitted = {}) const;
     /// `parts` returns the elements of `owner`, or the elements of all files if `owner` is null. `all` returns the
-    /// charts, components or loops. Both results are sorted by name.
+    /// charts, components or loops. The results of `parts` and `all` are sorted by name.
     const std::vector<const Declaration*>& parts(const Declaration* owner) const;
     std::vector<const Declaration*> all(DeclarationKind kind) const;
     /// Returns the chart, component or loop whose declaration contains `offset`, or null if there is no such element.
     const Declaration* around(const Parsed& file, std::size_t offset) const;
-    /// Returns the elements of one kind to which a declaration refers: the charts that a loop controls, the component
+    /// Returns the elements of kind `kind` to which a declaration refers, such as the charts of a loop or the component
     /// of an instance.
     std::vector<const Declaration*> referred(const Declaration* element, DeclarationKind kind) const;
 

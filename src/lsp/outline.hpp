@@ -18,7 +18,7 @@ struct Entry {
 };
 std::vector<Entry> outline(const Names& names, const Parsed& file);
 
-/// The first and the last line of a folding range. Both lines remain visible when the range is folded.
+/// The first and the last line of a folding range. When the range is folded, its first and last line remain visible.
 struct Fold {
     std::uint32_t first = 0, last = 0;
     bool comment = false;

@@ -34,7 +34,8 @@ public:
             const std::string_view bytes = text.substr(word.begin, word.end - word.begin);
             if (word.kind == Word::Kind::Comment || word.kind == Word::Kind::String)
                 in_text_ = word.end == cursor && !is_closed(word.kind, bytes);
-            else if (word.kind == Word::Kind::Name && word.end == cursor) break;  // the word that is being typed
+            // The word at the cursor is incomplete and is omitted.
+            else if (word.kind == Word::Kind::Name && word.end == cursor) break;
             else words_.push_back(bytes), in_text_ = false;
         }
     }

@@ -188,7 +188,7 @@ IncompleteDeclaration half_at(std::string_view text, std::size_t cursor) {
         }
         if (seen == "(") ++brackets;
         if (seen == ")" && brackets > 0) --brackets;
-        if (seen == "]") {  // an index is skipped, because it does not affect the proposals
+        if (seen == "]") {  // removes an index, because it does not affect the proposals
             const auto index = std::ranges::find(half.words.rbegin(), half.words.rend(), "[");
             if (index != half.words.rend()) half.words.erase(std::prev(index.base()), half.words.end());
         } else if (seen == "{" && !half.blocks.empty() && !half.words.empty() && half.words.front() == "for") {

@@ -54,7 +54,7 @@ private:
 
     Json code_actions(const Json& params);
 
-    // Defined in features.cpp:
+    // The following members are defined in features.cpp.
     struct Pointed {
         std::shared_ptr<const Parsed> file = {};
         const Names* names = nullptr;
@@ -79,7 +79,7 @@ private:
     Json formatting(const Json& params);
     std::string verdict_text(const Declaration& element) const;
 
-    // Defined in proofs.cpp:
+    // The following members are defined in proofs.cpp.
     void saved();
     void prove(const std::string& path, const std::string& only);
     void found(Found outcome);
@@ -105,12 +105,12 @@ private:
     bool end_requested_ = false;
     std::optional<std::int64_t> client_ = {};
 
-    /// LSP 3.17, "ErrorCodes".
+    /// Error codes of LSP 3.17 ("ErrorCodes").
     static constexpr int not_initialized = -32002, request_failed = -32803, request_cancelled = -32800;
 
     Workspace workspace_;
     DiagnosticStore board_ = {};
-    std::vector<std::shared_ptr<const Root>> named_ = {};  ///< the roots of `names_`
+    std::vector<std::shared_ptr<const Root>> named_ = {};  ///< the roots from which `names_` was built
     std::unique_ptr<const Names> names_ = {};
     bool dirty_ = false;  ///< true if a text has changed, or the current diagnostics have not been sent to the client
     std::vector<std::shared_ptr<const Root>> unmade_ = {};  ///< roots whose models have not been requested yet

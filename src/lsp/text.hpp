@@ -51,7 +51,7 @@ private:
     std::vector<Anchor> anchors_ = {{}};
 };
 
-/// An edit of a text. An edit without a range replaces the complete text.
+/// A change of a text in the editor. An edit without a range replaces the complete text.
 struct Change {
     std::optional<Range> range = {};
     std::string text = {};

@@ -22,7 +22,7 @@ namespace grafverif::lsp {
 
 struct OpenText {
     std::string uri = {}, path = {};
-    std::string identity = {};  ///< identity of the file on the disk, if it exists
+    std::string identity = {};  ///< identity of the file on the disk; empty if the file does not exist
     std::int64_t version = 0;
     std::shared_ptr<const Text> text = {};
     /// True if an edit could not be applied, so that this text differs from the text in the editor.
@@ -54,7 +54,7 @@ using Files = std::vector<std::shared_ptr<const Parsed>>;
 /// Returns the language of a text. `path` determines the language of a text that does not identify its language.
 TextLanguage language_of(const std::string& path, std::string_view text);
 
-/// The input texts of a parse. The parse is valid while these texts are unchanged.
+/// The input texts of a parse, by path. The parse is valid while these texts are unchanged.
 using Inputs = std::vector<std::pair<std::string, std::shared_ptr<const Text>>>;
 
 class Workspace {
@@ -97,7 +97,7 @@ public:
     ParseResult reading(const std::string& path, Inputs& inputs, References& references);
     bool holds(const Inputs& inputs);
 
-    /// Returns a text that identifies a file: it is equal for all paths to the same file.
+    /// Returns a text that identifies a file. The text is equal for all paths to the same file.
     std::string key(const std::string& path) const;
 
 private:

@@ -33,7 +33,7 @@ struct CommandRun {
 };
 
 /// Default values of the arguments `timeout` (seconds) and `max_memory` (MiB). If a maximum value of the server is
-/// smaller, it is the default value.
+/// smaller than the default value, the maximum value applies.
 inline constexpr std::int64_t usual_timeout_s = 60, usual_memory_mib = 2048;
 
 /// Callbacks and settings of the program that runs the server.

@@ -203,7 +203,8 @@ void Session::call(const Json& id, const Json& params, const SharedBatch& batch)
 
 void Session::finished(const Json& id, std::uint64_t number, Json result) {
     const auto found = calls_.find(id);
-    if (found == calls_.end() || found->second.number != number) return;  // the call was cancelled
+    // The result is discarded, because the call was cancelled.
+    if (found == calls_.end() || found->second.number != number) return;
     const ActiveCall call = std::move(found->second);
     calls_.erase(found);
     reply(rpc::response(id, std::move(result)), call.batch);

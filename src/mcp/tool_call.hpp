@@ -21,7 +21,7 @@ using Json = nlohmann::json;
 
 struct ToolResult {
     std::string text = {};
-    Json data = {};  ///< null if the tool has no data
+    Json data = {};  ///< the result as data; null if the tool has no data
 };
 
 /// A failure of a call that the client can correct, such as an error in a file. The response to the call is a result
@@ -86,7 +86,7 @@ private:
     std::string input_ = {};
 };
 
-/// Returns `text`. If it has more than `most` bytes, it is cut at the end of a line, and a note states that the text is
+/// Returns `text`. A text with more than `most` bytes is cut at the end of a line, and a note states that the text is
 /// incomplete.
 std::string shortened(std::string text, std::size_t most);
 /// Copies the members `names` of `from` to `to`. Requires that `from` has all these members.

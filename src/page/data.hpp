@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Writes the data of the page's script: one JSON document, in the element `data`.
 //
-//   version     1
+//   version     version of the format: 1
 //   charts      per controller, in order: `figure` (the id of the element around the drawing), `ids` (of the drawing's
 //               elements, see ElementIds: `steps`, `transitions`, `conditions`, `continuous`, `stored`, `forcing`), and
 //               the chart as in page/terms.hpp: `name`, `steps`, `transitions` (`name`, `from`, `condition`), `timed`,
@@ -18,7 +18,7 @@
 //                 `time` (in ms), a list of the names of the values, or null for a number
 //   properties  the properties of the loop, see page/terms.hpp: `name`, `pattern`, `at_stable`, `operands`, `terms`
 //   plant       per instance, by name, the id of the figure with the drawing of its component
-//   runs        the runs to play:
+//   runs        the runs that the page can play, each with these members:
 //     name        name in addresses: `#NAME/INDEX`; INDEX is a row, or `ROW+MOVES` for a state between two rows
 //     kind        `counterexample`, `witness`, `evidence`, `breakdown`, `test`, `recording`
 //     title       display text

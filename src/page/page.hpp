@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// page_of: writes all results about a file as one self-contained HTML document. It contains text, drawings and tables,
-// and a player of runs, which requires JavaScript. The output is deterministic: equal contents result in equal bytes.
+// page_of: writes all results about a file as one self-contained HTML document. The document contains text, drawings,
+// tables, and a player of runs, which requires JavaScript. The output is deterministic: equal contents result in equal
+// bytes.
 //
 // The Content-Security-Policy of the document permits only its own style and script, which it identifies by their
 // hashes. The data of the script is in the element `data` (see page/data.hpp). The sections have the ids `verdicts`,
@@ -78,7 +79,7 @@ struct PageContent {
     /// If present, the page shows these results instead of the verdicts of `report`. `charts` contains the charts of
     /// the verdicts on the recording, in order.
     std::optional<RecordingReport> recording = {};
-    std::string warnings = {};  ///< diagnostics as text
+    std::string warnings = {};  ///< warnings about the file, as text
 };
 
 /// Returns the chart to be drawn. For a PLC program, this is the chart with the transitions and actions of its

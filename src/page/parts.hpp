@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Adds the sections of a page.
+// Adds the sections of a page to its HTML text.
 #pragma once
 
 #include "page/html.hpp"

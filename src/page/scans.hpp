@@ -23,7 +23,7 @@ namespace grafverif {
 
 class ProgramScans {
 public:
-    /// `interface` is the chart that represents the program. Both arguments must outlive the object.
+    /// `interface` is the chart that represents the program. `interface` and `listing` must outlive the object.
     ProgramScans(const Chart& interface, const ProgramListing& listing);
 
     /// Returns the JSON member `scans` for a controller of a run (page/data.hpp). If the number of points and scans
@@ -58,7 +58,8 @@ private:
     ProgramLayout layout_;
     /// Index of each instance by unit and frame.
     std::map<std::pair<std::uint32_t, std::size_t>, std::size_t> instances_ = {};
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> known_ = {};  ///< point by item and instance
+    /// Index of each point by item and instance.
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> known_ = {};
     std::vector<Point> points_ = {};
     std::size_t scan_ = 0;  ///< number of the current scan, from 1
     /// Value of each point; `before_` is the value at the end of the previous scan.

@@ -9,7 +9,7 @@ namespace grafverif {
 
 struct WebText {
     std::string_view text = {};
-    std::string_view sha256 = {};  ///< hash of the text in base64
+    std::string_view sha256 = {};  ///< SHA-256 hash of the text in base64
 };
 
 WebText page_style();

@@ -9,7 +9,7 @@ namespace grafverif {
 
 /// Reports the error `urgent-invariant`: an urgent edge whose target invariant can be false when the edge is taken. In
 /// UPPAAL, an urgent edge prevents delays whenever its guard holds, even if the target invariant is false. Therefore
-/// time would stop in UPPAAL, although it can pass in the semantics of grafverif.
+/// time would stop in UPPAAL, although time can pass in the semantics of grafverif.
 void check_urgent_invariants(const Network& network, Diagnostics& diagnostics);
 
 /// Reports the warning `range-skipped` (CEP13 4.1): an integer changes by more than the width of a range in which

@@ -220,7 +220,7 @@ std::optional<Network> plant(const Model& model, const ClosedLoop& loop, Diagnos
     network.constants = loop.constants;
     network.variables = std::move(variables->variables);
     std::vector<Id<Network::Template>> templates(model.components.size());
-    UniqueNames names;  // names of templates
+    UniqueNames names;  // used names of templates
     for (const Component& component : model.components) names.fresh(component.name);
     for (const Id<ClosedLoop::Instance> id : loop.instances.ids()) {
         const ClosedLoop::Instance& instance = loop.instances[id];

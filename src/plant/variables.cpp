@@ -31,7 +31,8 @@ public:
                 overloaded{
                     [&](Id<ClosedLoop::Shared> shared) { return plant_.variables[{shared.index}].initial; },
                     [](std::int64_t constant) { return constant; },
-                    [](Id<Expr>) -> std::int64_t { unreachable(); },  // declarations do not read inputs
+                    // Declarations do not read inputs, so that this case is impossible.
+                    [](Id<Expr>) -> std::int64_t { unreachable(); },
                 },
                 instance_.arguments[index]);
         });

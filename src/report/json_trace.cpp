@@ -101,8 +101,8 @@ Json act_json(const ChartRun::Act& act) {
     return object;
 }
 
-/// Returns the values that differ from those in the previous state, each with the index of its signal; all values if
-/// there is no previous state.
+/// Returns the values that have changed since the state `before`, each with the index of its signal. If `before` is
+/// null, returns all values.
 Json values_json(const ChartRun::State* before, const ChartRun::State& now) {
     Json list = Json::array();
     for (std::size_t i = 0; i < now.values.size(); ++i)

@@ -8,7 +8,7 @@ namespace grafverif {
 
 namespace {
 
-/// True if the span is in a file of the user; false if it is in the built-in library.
+/// True if the span is in a file of the user, and not in the built-in library.
 bool is_of_files(const ReportSource& written, Span where) {
     return written.sources.contains(where.source) && !written.sources[where.source].name.starts_with('<');
 }

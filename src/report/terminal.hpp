@@ -3,9 +3,10 @@
 //
 // A trace is a table with these columns: time; event; the inputs that changed (`V_IN`, `!V_IN`, `LEVEL = 3`; at
 // power-on all nonzero inputs); the cleared transitions, with `;` between evolutions; situation; outputs. Situation and
-// outputs are printed if they changed, and in the first and the last row. Time is printed when it advances. Rows that
-// repeat forever are marked with a bar. Rows in which a cause of the violation begins are marked with a star. Below the
-// table, the text lists the causes and the smallest change of the run that avoids the violation.
+// outputs are printed if they changed, and in the first and the last row. The time is printed only in rows in which it
+// differs from the previous row. Rows that repeat forever are marked with a bar. Rows in which a cause of the violation
+// begins are marked with a star. Below the table, the text lists the causes and the smallest change of the run that
+// avoids the violation.
 #pragma once
 
 #include <array>

@@ -47,7 +47,7 @@ public:
         all_[place->second].answers.push_back(&answer);
     }
     const std::vector<Shared>& all() const { return all_; }
-    /// Returns the entry of a text. The text must have been added.
+    /// Returns the entry of the text `text`. Requires that the text has been added.
     const Shared& operator[](const std::string& text) const { return all_[index_.at(text)]; }
 
 private:

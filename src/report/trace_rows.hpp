@@ -25,7 +25,7 @@ namespace grafverif {
 /// `Everything` also includes the internal events of the translation, each in a row that is marked as internal.
 enum class Detail { Chart, Everything };
 
-/// Builds the rows of a run while it is executed.
+/// Builds the rows of a run while the run is being executed.
 class TraceRowBuilder {
 public:
     /// Requires a run without rows. `run` must outlive the object.
@@ -62,10 +62,10 @@ private:
 
     ChartRun& run_;
     Detail detail_;
-    std::vector<OpenRow> open_;  ///< open row of each controller
-    /// For each controller: true if it has sampled its inputs and will clear transitions.
+    std::vector<OpenRow> open_;  ///< the incomplete row of each controller
+    /// For each controller: true if it has sampled its inputs for an evolution that will clear transitions.
     std::vector<bool> sampled_;
-    std::size_t next_ = 0;                   ///< index of the next event
+    std::size_t next_ = 0;                   ///< index of the next event without a row
     std::optional<std::size_t> delay_ = {};  ///< the last event of a delay for which no row has been added yet
     std::int64_t delay_ms_ = 0;
 };

@@ -55,8 +55,7 @@ public:
     explicit Framing(Receive receive, std::size_t largest = largest_message);
 
     /// Returns the next message, or nothing at the end of the stream. An incomplete last message is ignored. If a call
-    /// throws std::bad_alloc, the message that it was reading is skipped, and the next call returns the following
-    /// message.
+    /// throws std::bad_alloc, the current message is skipped, and the next call returns the following message.
     std::optional<Framed> next();
 
 private:

@@ -28,7 +28,7 @@ struct Item {
 class Inbox {
 public:
     void put(Item item);
-    /// Cancels the request with this id, given as JSON, if it is still in the queue.
+    /// Cancels the request with the id `id` if the request is still in the queue.
     void cancel(const nlohmann::json& id);
     /// Closes the queue: no further items are added.
     void close();
@@ -47,7 +47,7 @@ private:
     mutable std::mutex mutex_ = {};
     std::condition_variable wake_ = {};
     std::deque<Item> items_ = {};
-    std::atomic<bool> closed_ = false;  ///< written while `mutex_` is locked
+    std::atomic<bool> closed_ = false;  ///< changed only while `mutex_` is locked
 };
 
 }  // namespace grafverif::rpc

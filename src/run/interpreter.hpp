@@ -46,14 +46,15 @@ namespace grafverif {
 /// The times since the last changes of an observed term, at the end of an evolution.
 struct Timing {
     std::int64_t risen = -1;  ///< milliseconds since the term became true; -1 while the term is false
-    /// Milliseconds since the term became false, if it was true for at least the rise time t1 before; otherwise -1.
+    /// Milliseconds since the term became false; -1 while the term is true, or if it was true for less than the rise
+    /// time t1.
     std::int64_t fallen = -1;
 
     bool operator==(const Timing&) const = default;
 };
 
 struct State {
-    std::vector<bool> situation = {};     ///< for each step: true if it is active
+    std::vector<bool> situation = {};     ///< for each step: true if the step is active
     std::vector<std::int64_t> ages = {};  ///< for each step: milliseconds since its activation; -1 if inactive
     /// For each internal variable: its value. For each output with stored actions: its image. For any other variable:
     /// its initial value.
@@ -105,7 +106,8 @@ struct Evolution {
 struct Cycle {
     State state = {};
     std::vector<std::vector<Id<Chart::Transition>>> fired = {};  ///< cleared transitions per evolution
-    bool stable = false;                                         ///< `stable` of the last evolution
+    /// True if the last evolution was stable (Evolution::stable).
+    bool stable = false;
     std::optional<StoredRace> race = {};
     std::optional<RunFault> fault = {};
     /// Total instability (stability search only): the situations that repeat forever with these inputs. After total
@@ -128,7 +130,7 @@ using InputValues = std::span<const std::int64_t>;
 State power_on(const Chart& chart);
 
 /// An element of a chart that depends on time: `t1/v/t2`. The delay of an action (IEC 60848) is a time condition such
-/// as 3s/X on the step of the action. The time limit of an action is also represented by such a time condition.
+/// as 3s/X on the step of the action. A time condition also represents the time limit of an action.
 struct TimedElement {
     Id<Expr> watched = {};  ///< observed term; invalid if `step` is observed
     Id<Chart::Step> step = {};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// by_hand: activates or deactivates a step on behalf of the user, who explores the consequences ("what if"). After such
-// a change, the trace is not a run of the chart or of the model. The new situation is consistent with the rules of
-// hierarchy:
+// by_hand: activates or deactivates a step on behalf of the user, who explores the consequences ("what if"). After a
+// change by the user, the trace is not a run of the chart or of the model. The new situation is consistent with the
+// rules of hierarchy:
 //
 //   ordinary step    only the activity of this step changes; an active step of an expansion also activates its
 //                    macro-steps
@@ -25,7 +25,7 @@
 namespace grafverif {
 
 struct ManualSituation {
-    std::vector<bool> situation = {};  ///< for each step of the chart: true if it is active
+    std::vector<bool> situation = {};  ///< for each step of the chart: true if the step is active
     std::string refusal = {};          ///< reason for rejection; empty if the change is accepted
 };
 

@@ -140,7 +140,7 @@ void NetworkProjection::fill(ChartRun::Event& moment, const Fire& fire, const Ne
     if (moment.kind == ChartRun::Kind::Controller)
         return moment.acts.push_back(act(controller_of_[fire.process.index], edge, before, after));
     if (edge.from != edge.to || moment.kind == ChartRun::Kind::Timer) moment.location = edge.to.index;
-    if (moment.kind == ChartRun::Kind::Observer) {  // observers do not change the loop
+    if (moment.kind == ChartRun::Kind::Observer) {  // observers do not change the state of the loop
         moment.internal = true;
         return;
     }
@@ -179,8 +179,8 @@ ChartRun::Act NetworkProjection::act(Id<Network::Controller> id, const Network::
         // an earlier rise.
         if (act.evolves) act.done.push_back(before.locations[from.timers[k].process.index] == from.timers[k].done);
     }
-    // If the evolution is a separate edge, this edge resets the firing conditions. Therefore they are read in the state
-    // before it.
+    // If the evolution is a separate edge, this edge resets the firing conditions. Therefore the firing conditions are
+    // read in the state before this edge.
     const NetworkState& fired_in = act.samples ? after : before;
     for (std::size_t k = 0; (act.samples || act.evolves) && k < from.words.transitions.size(); ++k)
         if (holds(fired_in, from.words.transitions[k].variable))

@@ -10,7 +10,7 @@ namespace grafverif {
 namespace {
 
 using System = TransitionSystem;
-using Values = std::vector<std::int64_t>;  ///< the value of each symbol of main
+using Values = std::vector<std::int64_t>;  ///< the value of each symbol of the module `main`
 using Writes = ChartRun::Act::Writes;
 
 ChartRun::Kind kind_of(System::Component::Kind kind) {

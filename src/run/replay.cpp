@@ -83,7 +83,8 @@ private:
         return {};
     }
 
-    /// Visits the variables of one kind, in order. These variables correspond to the controller's signals of this kind.
+    /// Visits the variables of one kind, in order. Their order is the order of the controller's signals of the same
+    /// kind.
     template <class Visit>
     void each(Chart::VariableKind kind, Visit visit) const {
         std::size_t place = 0;
@@ -222,9 +223,10 @@ private:
     std::vector<TimedElement> elements_;
     State state_;
     ScanReplay scans_;
-    Values inputs_ = {};                                   ///< sampled value of each variable of the chart
-    std::vector<bool> timed_ = {};                         ///< sampled value of the time condition of each element
-    std::vector<std::optional<std::size_t>> timers_ = {};  ///< timer of each element
+    Values inputs_ = {};            ///< sampled value of each variable of the chart
+    std::vector<bool> timed_ = {};  ///< sampled value of the time condition of each element
+    /// Index of the timer of each timed element; empty if it has no timer.
+    std::vector<std::optional<std::size_t>> timers_ = {};
     std::size_t evolutions_ = 0;
     bool over_ = false, raced_ = false;
     std::string racing_ = {};  ///< name of the variable of the race

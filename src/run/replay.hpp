@@ -48,7 +48,7 @@ struct ContradictoryActions {
 std::optional<ContradictoryActions> clash(const ChartRun& run, std::span<const Chart* const> charts);
 
 /// Two time conditions on one step in an untimed run. A cycle samples the condition with the longer time as true and
-/// the condition with the shorter time as false. Such a run is impossible with any plant.
+/// the condition with the shorter time as false. No plant can produce such a run.
 struct UntimelyConditions {
     StepName step = {};
     std::int64_t longer_ms = 0, shorter_ms = 0;

@@ -95,7 +95,7 @@ std::optional<Run> Retiming::fit(const Network& member) const {
         if (loop_ == i) run.loop = run.moves.size();
         if (points_[i].fire) run.moves.emplace_back(*points_[i].fire);
     }
-    if (run.loop == run.moves.size()) run.moves.emplace_back(Delay{1});  // a loop that consists of a delay
+    if (run.loop == run.moves.size()) run.moves.emplace_back(Delay{1});  // adds a delay to a loop without moves
     return run;
 }
 

@@ -39,7 +39,7 @@ private:
     struct Difference;
     std::vector<Difference> differences(const Network& member) const;
 
-    std::vector<Point> points_ = {};  ///< point 0 is power-on
+    std::vector<Point> points_ = {};  ///< the points in time of the run; point 0 is power-on
     std::optional<std::size_t> loop_ = {};
 };
 

@@ -25,7 +25,7 @@ public:
     /// `before` is the state before the act.
     std::string act(const ChartRun::Act& act, const ChartRun::State& before);
 
-    /// Reports the result of an act. `stable` is true if the evolution of the act is stable; it is empty if the act has
+    /// Reports the result of an act. `stable` is true if the evolution of the act is stable, and empty if the act has
     /// no evolution. `writes` is true if outputs were written.
     void done(std::optional<bool> stable, bool writes);
 

@@ -181,7 +181,7 @@ private:
     /// Returns the clock value after a tick, limited to the cap of the current location.
     Id<Expr> after_tick(Id<Network::Clock> id) const {
         const Id<Expr> now = declared_.clock(id), more = exprs_.apply(Op::Plus, now, exprs_.integer(1));
-        std::map<std::int64_t, std::vector<Id<Expr>>> locations;  // locations with the same cap
+        std::map<std::int64_t, std::vector<Id<Expr>>> locations;  // the locations for each value of the cap
         for (const Id<Network::Location> location : declared_.automaton().locations.ids())
             locations[caps_.cap[location.index][id.index]].push_back(declared_.at(location));
         Id<Expr> next = now;
@@ -202,7 +202,7 @@ private:
 
 /// All edges, expressed by terms over the values before the step.
 struct Taken {
-    /// For each edge: condition under which it can be taken, including its location and clock constraints.
+    /// For each edge: condition under which the edge can be taken, including the source location and clock constraints.
     std::vector<Id<Expr>> guards = {};
     /// For each written variable: the edges that write it, with the values that they write.
     std::map<Place, std::vector<std::pair<Edge, Id<Expr>>>> values = {};
@@ -328,8 +328,8 @@ void add_transitions(const Declared& declared, const std::vector<Id<Expr>>& guar
     list.push_back(implies(exprs, exprs.conjunction(turn, stays), idle));
 }
 
-/// Returns one movement for each location with an invariant. An automaton stays in such a location only for a bounded
-/// time.
+/// Returns one movement for each location with an invariant. An automaton stays in a location with an invariant only
+/// for a bounded time.
 std::vector<Movement> movements(const Declared& declared) {
     Draft& draft = declared.draft;
     std::vector<Movement> found;

@@ -35,7 +35,7 @@ namespace grafverif::schedule {
 enum class Discipline {
     /// The automaton takes one edge in a step in which the parameter `turn` is true, and no edge in all other steps.
     Turns,
-    Together,  ///< the automaton takes one edge in each step; it may take no edge if it has no enabled urgent edge
+    Together,  ///< in each step, the automaton takes one edge, or no edge if none of its urgent edges is enabled
     /// Like `Together`, but the automaton takes an edge only in a step in which `turn` is true. The automaton takes at
     /// most one edge in each `round`, and a timed edge only in the `first` round.
     Rounds,
@@ -70,7 +70,8 @@ struct AutomatonModule {
     using Held = std::pair<Id<Network::Variable>, Id<Symbol>>;
 
     TransitionSystem::Module module = {};
-    Id<Symbol> turn = {}, first = {}, round = {}, tick = {};  ///< parameters; invalid if omitted
+    /// Parameters; invalid if the module does not have the parameter.
+    Id<Symbol> turn = {}, first = {}, round = {}, tick = {};
     /// Variables that are passed as further parameters, which follow the parameters `turn` to `tick`.
     std::vector<Id<Network::Variable>> reads = {};
     Id<Symbol> edge = {};      ///< choice: 0 for no edge, otherwise the index of the edge plus one
@@ -81,7 +82,8 @@ struct AutomatonModule {
     /// Definition: true if the clocks permit one time unit to pass; invalid if it is always true.
     Id<Symbol> may_wait = {};
     std::vector<Effect> effects = {};
-    Id<Symbol> can_move = {};   ///< definition: true if an edge can be taken; invalid for abstract time
+    /// Definition: true if an edge of the automaton can be taken; invalid for abstract time.
+    Id<Symbol> can_move = {};
     Id<Symbol> must_move = {};  ///< definition: true if an urgent edge can be taken
     Id<Symbol> stays = {};      ///< definition: true if the automaton takes no edge in the step
     /// True after a fault; invalid if no assigned value can be outside the range of its variable and no term can divide

@@ -190,7 +190,8 @@ private:
     Draft& draft_;
     const bool divides_ = divides(equations_.exprs);
     std::vector<bool> stored_ =
-        std::vector<bool>(equations_.variables.size());  ///< for each variable: true if it has stored actions
+        /// For each variable: true if stored actions write the variable.
+        std::vector<bool>(equations_.variables.size());
     /// For each variable: the symbol that the cycle reads (`read_`), and the symbol that is visible outside the module
     /// (`shown_`). These symbols differ only for an output with stored actions under stability search: the cycle reads
     /// its image.

@@ -84,8 +84,8 @@ void wire_moves(const PlantInstances& plant, const MoveChoice& move, bool discre
     plant.wire(signals);
 }
 
-/// Conditions under which a process can move (`can_move`) or time can pass (`can_wait`). Both conditions are invalid
-/// unless clocks are counted.
+/// Conditions under which a process can move (`can_move`) or time can pass (`can_wait`). `can_move` and `can_wait` are
+/// invalid unless clocks are counted.
 struct Offers {
     Id<Expr> can_move = {}, can_wait = {};
 };

@@ -13,9 +13,8 @@
 //   time             abstract: clocks are omitted, so that a timed edge may be taken at any time. The model has all
 //                    runs of the timed loop, and may have further runs. Discrete: each clock is a counter in its
 //                    module, bounded by the cap of the clock as in the timed engine, and a step with `move = of_time`
-//                    is a tick. The model has the same states as the timed engine. `no deadlock` becomes: it is always
-//                    possible that an edge can be taken. `no timelock` becomes: it is always possible that time can
-//                    pass
+//                    is a tick. The model has the same states as the timed engine. `no deadlock` becomes `always
+//                    possible p`; p states that an edge can be taken. For `no timelock`, p states that time can pass
 //   observer         a module that observes every step
 //
 // The system is total. If an urgent edge is enabled, the process of this edge can move; otherwise `none` can be chosen.

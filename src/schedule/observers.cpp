@@ -23,7 +23,7 @@ std::vector<std::string> value_names(const ClosedLoop::Observer& observer) {
 
 struct Guarded {
     Id<ClosedLoop::ObserverLocation> from = {}, to = {};
-    Id<Expr> guard = {};  ///< guard over symbols of main
+    Id<Expr> guard = {};  ///< guard as a term over symbols of main
 };
 
 /// For a symbol `instance.symbol` of main, returns its name in the module of the instance (`symbol`). For any other

@@ -244,8 +244,8 @@ private:
     }
 
     /// Adds a tautology that relates variables of the same name in both charts. The tautology affects only the variable
-    /// order of decision diagrams: variables of one term are placed close together. This order helps, because variables
-    /// of the same name are usually equal.
+    /// order of decision diagrams: variables of one term are placed close together. This order reduces the size of the
+    /// diagrams, because variables of the same name are usually equal.
     void keep_twins_together() {
         for (const Id<Equations::Variable> of_a : equations_[0]->variables.ids())
             for (const Id<Equations::Variable> of_b : equations_[1]->variables.ids()) {

@@ -37,7 +37,7 @@ struct LoopMeaning {
     std::vector<Id<Symbol>> observers = {};
     std::vector<std::string> unobserved = {};
     /// `can_move` is true if an edge can be taken (for `no deadlock`); `can_wait` is true if time can pass (for `no
-    /// timelock`). Both are invalid if the model has abstract time or no plant.
+    /// timelock`). `can_move` and `can_wait` are invalid if the model has abstract time or no plant.
     Id<Expr> can_move = {}, can_wait = {};
     bool checked_when_stable = false;  ///< true if every property is evaluated only in quiescent states
 };

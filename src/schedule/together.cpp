@@ -48,7 +48,7 @@ std::vector<Id<Expr>> wire_moves(const ControllerInstances& controllers, const s
 }
 
 /// Returns the condition that the evolution of the controllers has ended: controllers with stability search are
-/// quiescent, and the other controllers have executed one cycle. The first cycle directly follows the first evolution
+/// quiescent, and all other controllers have executed one cycle. The first cycle directly follows the first evolution
 /// of the controller.
 Id<Expr> evolution_over(const ControllerInstances& controllers) {
     std::vector<Id<Expr>> over;

@@ -10,7 +10,7 @@
 // controllers and the plant run alternately. The plant sequencer has the four states PIR, PTR, POU and PTE of the
 // paper. One variable of main represents both sequencers:
 //
-//   controllers  the controllers execute cycles until they are quiescent; if they write outputs in every cycle, they
+//   controllers  the controllers execute cycles until they are quiescent; controllers that write outputs in every cycle
 //                execute only one cycle
 //   controlled   the evolution of the controllers has ended: properties are evaluated
 //   PIR          the plant reads the outputs of the controllers, which are constant, because the controllers do not

@@ -33,7 +33,7 @@ struct Expectation {
         bool operator==(const Condition&) const = default;
     };
     std::vector<Condition> parts = {};  ///< at least one condition; the expectation is their conjunction
-    std::string text = {};              ///< text as entered
+    std::string text = {};              ///< text of the expectation as entered by the user
     bool operator==(const Expectation&) const = default;
 };
 

@@ -84,7 +84,7 @@ private:
         std::size_t at = 0;
         WhatIfRun trial = {};
     };
-    /// The state before a command.
+    /// The state of the simulation before a command, for undo.
     struct Mark {
         std::size_t moves = 0, what_if_runs = 0;
     };

@@ -10,7 +10,7 @@
 
 namespace grafverif {
 
-/// An input with its new value.
+/// An input, and the value to which a command sets it.
 struct Setting {
     std::string name = {};
     std::int64_t value = 0;

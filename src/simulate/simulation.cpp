@@ -72,8 +72,8 @@ std::optional<std::string> Simulation::unmet_at(const Expectation& claim, std::s
 
 /// True if the expectation became true during the instant. An instant can contain several evolutions. Therefore the
 /// situation after the instant does not show a step that was activated and deactivated during the instant. The
-/// expectation must become true at an event; it is not sufficient that it was already true before the first examined
-/// event.
+/// expectation must become true at an event; an expectation that was already true before the first examined event does
+/// not count.
 bool Simulation::met_in_passing(const Expectation& claim) {
     const ChartRun& run = recorded_run();
     const std::int64_t now = run.moments.back().after.time_ms;

@@ -66,13 +66,13 @@ constexpr std::size_t indentation = 4;
 constexpr std::size_t least_columns = 20;  // minimum width of source text on narrow terminals
 constexpr std::size_t tab_columns = 8;
 
-/// A source line as it is printed.
+/// A source line in its printed form.
 struct Excerpt {
     std::string text = {};
     std::string marks = {};  ///< spaces and carets; tabs of the line are kept
 };
 
-/// A character of the line.
+/// A character of a source line.
 struct Cell {
     std::size_t at = 0, bytes = 1;  ///< position and length in the line, in bytes
     std::size_t columns = 1;        ///< width on a terminal if the line is not truncated

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Texts of all diagnostics, with one function per message, so that they can be reviewed in one place. Messages are in
-// lower case and put names in backticks. A message states the problem first and, after `; `, the remedy.
+// Texts of all diagnostics, with one function per message, so that all texts can be reviewed in one place. Messages are
+// in lower case and put names in backticks. A message states the problem first and, after `; `, the remedy.
 #pragma once
 
 #include <cstdint>

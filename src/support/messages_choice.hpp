@@ -11,7 +11,7 @@
 
 namespace grafverif::messages {
 
-/// `nearest` is the most similar known name; if it is empty, all known names are listed.
+/// `nearest` is the most similar known name. If `nearest` is empty, the message lists all known names.
 Diagnostic no_such_choice(std::string_view kind, std::string_view name, std::span<const std::string> known,
                           std::string_view nearest);
 

@@ -12,8 +12,8 @@
 namespace grafverif::messages {
 
 /// `heading` is the position of the beginning of the block, and `text` is its text, such as `grafcet press`. `next` is
-/// the token that is not allowed in the block; it is invalid at the end of the text. `place` is the position at which
-/// `}` can be inserted; it may be invalid.
+/// the position of the token that is not allowed in the block, or invalid at the end of the text. `place` is the
+/// position at which `}` can be inserted, or invalid if there is no such position.
 Diagnostic missing_brace(Span heading, std::string_view text, Span next, Span place);
 Diagnostic expected_before_sentence(Span where);
 Diagnostic expected_after_colon(Span where);

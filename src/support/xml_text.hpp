@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// XML escaping and unescaping. Markup is escaped. Characters that XML 1.0 forbids (control characters, invalid UTF-8)
-// are replaced by U+FFFD, so that a document is well-formed for every input.
+// Escapes and unescapes text for XML. Markup characters are escaped. Characters that XML 1.0 forbids (control
+// characters, invalid UTF-8) are replaced by U+FFFD, so that a document is well-formed for every input.
 #pragma once
 
 #include <cstdint>

@@ -18,14 +18,15 @@ namespace grafverif::btor2 {
 
 namespace {
 
-using Line = std::uint32_t;  ///< line number; 0 means no line
+using Line = std::uint32_t;  ///< number of a line in the output; 0 means no line
 using Variable = FlatSystem::Variable;
 
 /// A bit vector with the condition under which its value is undefined.
 struct Word {
     bool boolean = true;
     std::uint32_t width = 1;
-    Line line = 0, undefined = 0;  ///< condition under which the value is undefined; 0 if it is always defined
+    /// `line`: the value. `undefined`: condition under which the value is undefined; 0 if it is always defined.
+    Line line = 0, undefined = 0;
 };
 
 std::uint32_t width_of(std::int64_t value) {
@@ -41,7 +42,7 @@ std::string one_word(std::string name) {
     return name;
 }
 
-/// Output lines, hash-consed.
+/// The lines of the output. Equal lines are written only once (hash consing).
 class Lines {
 public:
     Line sort(std::uint32_t width) { return line_of("sort bitvec " + std::to_string(width)); }

@@ -59,12 +59,12 @@ struct Timer {
 
 struct Statement {
     enum class Kind {
-        Comment,  ///< `comment`
-        Assign,   ///< target := value
+        Comment,  ///< prints the text in the member `comment`
+        Assign,   ///< assigns `value` to `target`
         Cases,    ///< target := value, where the value is a Conditional; one branch for each case of the Conditional
-        Guard,    ///< if condition then target := value
-        Stop,     ///< if condition then the call ends
-        Call,     ///< executes `timer`
+        Guard,    ///< assigns `value` to `target` if `condition` is true
+        Stop,     ///< ends the call if `condition` is true
+        Call,     ///< executes the timer `timer`
         If,       ///< begins a block, which Else or EndIf ends
         While,    ///< begins a block, which EndWhile ends
         Else,     ///< ends the block of an If, and begins the block that is executed if the condition is false
@@ -84,7 +84,8 @@ struct Code {
     Exprs exprs = {};          ///< terms whose leaves are cells
     Table<Cell> cells = {};
     Table<Timer> timers = {};
-    std::vector<std::variant<Id<Cell>, Id<Timer>>> declarations = {};  ///< in the order of the text
+    /// Declared cells and timers, in the order of the text.
+    std::vector<std::variant<Id<Cell>, Id<Timer>>> declarations = {};
     std::vector<Statement> body = {};
 };
 

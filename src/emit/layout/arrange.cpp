@@ -259,7 +259,7 @@ private:
         }
     }
 
-    static constexpr int jog = 12;  ///< minimum length of a jog
+    static constexpr int jog = 12;  ///< minimum length of a jog (a short sideways displacement of a line)
 
     /// Returns the position of the line that a lane continues if this line is near `at`, otherwise `at`.
     static int continued(const Item& lane, int at, int least, const std::map<int, std::size_t>& lines) {

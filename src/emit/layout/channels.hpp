@@ -20,7 +20,7 @@ struct Item {
     int size = 0;   ///< size in the direction `across`
     double at = 0;  ///< start in the direction `across`
     // The following members are valid only for a node.
-    bool is_reached_back = false;  ///< true if it has incoming lines that do not come from the previous layer
+    bool is_reached_back = false;  ///< true if the node has incoming lines that do not come from the previous layer
     int rows = 0;                  ///< size of the rows in the direction `across`
     int entry = 0;                 ///< position of incoming lines from the previous layer, relative to `at`
     int back_entry = 0;            ///< position of all other incoming lines, relative to `at`
@@ -50,11 +50,11 @@ struct Net {
 };
 
 struct Layers {
-    std::vector<Item> items = {};                       ///< nodes first, then lanes
+    std::vector<Item> items = {};                       ///< all items: nodes first, then lanes
     std::vector<std::vector<std::size_t>> order = {};   ///< order of the items in each layer
     std::vector<std::vector<Net>> channels = {};        ///< nets of the channel after each layer
     std::vector<std::vector<std::size_t>> arrows = {};  ///< outgoing arrows of each node, in the order of the rows
-    std::vector<Row> rows = {};                         ///< row of each arrow
+    std::vector<Row> rows = {};                         ///< row in which each arrow leaves its node
     std::vector<std::size_t> depth = {};                ///< layer of each node
     std::vector<std::map<std::size_t, std::size_t>> net_of = {};  ///< index of the net by target, per channel
 

@@ -15,7 +15,8 @@ namespace {
 
 constexpr int label_margin = 5;  ///< space between a label and its line, and between a label and the box
 constexpr int loop_depth = 9;    ///< distance between the two lines of a loop
-constexpr int before_tracks = 10, track_gap = 9, after_tracks = 18;  ///< distances along a channel
+/// Distances in a channel: before its tracks, between them, and after them.
+constexpr int before_tracks = 10, track_gap = 9, after_tracks = 18;
 
 /// Converts between the coordinates along/across and x/y, for both reading directions.
 struct Axes {
@@ -107,7 +108,7 @@ private:
             layers_.items.push_back({.node = target, .lane = true});
             layers_.order[layer].push_back(lane.item);
             std::vector<Port>& near = net(layer, target).near;
-            near.insert(near.begin(), lane);  // the port towards the target comes first
+            near.insert(near.begin(), lane);  // the port towards the target must be the first port
             net(layer - 1, target).far.push_back(lane);
         }
     }

@@ -181,7 +181,8 @@ Drawing draw(const Graph& graph) {
     for (std::size_t i = 0; i < scales.size(); ++i) {
         const Skeleton lines = skeleton(graph, order, scales[i]);
         Attempt attempt;
-        attempt.drawing.nodes.reserve(graph.nodes.size());  // labels refer to nodes by address
+        // Reserved, because labels refer to nodes by their addresses.
+        attempt.drawing.nodes.reserve(graph.nodes.size());
         attempt.drawing.links.reserve(graph.links.size());
         Placer(graph, lines).place(attempt);
         const auto faults = [](const Attempt& a) { return std::pair(a.homeless.size(), a.crossings + a.astray); };

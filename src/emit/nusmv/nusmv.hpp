@@ -5,7 +5,7 @@
 // Mapping:
 //   variable     VAR `x : boolean;`, `n : 0..10;` or `{still, moving}`, in the order of the symbols, which is the order
 //                of the BDD variables
-//   choice       IVAR
+//   choice       IVAR declaration
 //   transitions, invariants, justice   TRANS, INVAR, JUSTICE
 //   always, never, exactly one of   INVARSPEC      at stable: `settled -> ...`
 //   reachable    INVARSPEC never_P := !p   at stable: `settled -> !p`; P holds if never_P is false

@@ -79,7 +79,7 @@ Specification specification(const Printer& printer, const Property& property) {
     case Pattern::NoTimelock:
     case Pattern::Watched:
     case Pattern::ReachableAllSteps:
-    case Pattern::RawUppaal: break;  // `verify` excludes this pattern
+    case Pattern::RawUppaal: break;  // `verify` excludes the pattern RawUppaal
     }
     unreachable();
 }

@@ -93,7 +93,7 @@ Id<Expr> NamedValues::named(Id<System::Module> module, Id<Expr> term, Id<System:
     if (names_.values.empty()) return term;
     const auto [known, fresh] = known_.try_emplace(Key{module, term, symbol});
     if (fresh) {
-        const Id<Expr> made = rewritten(module, term, symbol);  // may insert into `known_`
+        const Id<Expr> made = rewritten(module, term, symbol);  // this call may insert elements into `known_`
         known_[Key{module, term, symbol}] = made;
         return made;
     }

@@ -4,8 +4,8 @@
 // LTSmin can explore state spaces that exceed the memory of one machine.
 //
 // Mapping:
-//   location, variable, clock   a slot of the state, if it has at least two values; clocks are capped per location as
-//                               in the timed engine (ir/network_clocks), so that both have the same states
+//   location, variable, clock   a slot of the state, if it has at least two values; clocks are capped per location
+//                               (ir/network_clocks), so that LTSmin finds the same states as the timed engine
 //   edge                        a transition group; it reads the variables of its guard, clock constraint and
 //                               assignments
 //   a unit of time              the last group; enabled if every invariant holds after the unit and no urgent edge is

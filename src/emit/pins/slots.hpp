@@ -43,8 +43,8 @@ struct Slots {
     SlotSet read_by(const Exprs& exprs, Id<Expr> term) const;
     /// Returns the assignments of an edge, followed by the assignments of the procedures that it calls.
     std::vector<Network::Assignment> effect(Id<Network::Process> process, const Network::Edge& edge) const;
-    /// Returns the bounds of an edge per clock: the bounds of its constraint and, for clocks that it does not reset,
-    /// the bounds of the invariant of its target.
+    /// Returns the bounds of an edge for each clock: the bounds of the clock constraint and, if the edge does not reset
+    /// the clock, the bounds of the invariant of its target.
     std::vector<ClockInterval> tested(Id<Network::Process> process, const Network::Edge& edge) const;
 };
 

@@ -48,7 +48,7 @@ struct Options {
 /// previous operand excludes a zero divisor, because `and` and `or` in Structured Text may evaluate all operands.
 bool expressible(const Equations& equations, Diagnostics& diagnostics);
 
-/// Writes the block. Requires verify(equations).empty() and that the equations are expressible.
+/// Writes the function block. Requires verify(equations).empty() and that the equations are expressible.
 void emit(const Equations& equations, const Options& options, std::ostream& out);
 
 /// Writes the test program. Requires verify(test).empty().

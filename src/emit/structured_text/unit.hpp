@@ -26,7 +26,7 @@ struct UnitVariable {
 struct Unit {
     bool is_program = false;  ///< true for a program, false for a function block
     std::string name = {};
-    std::string comment = {};  ///< may have several lines
+    std::string comment = {};  ///< comment of the unit; may have several lines
     std::vector<UnitVariable> variables = {};
     std::string body = {};
 };

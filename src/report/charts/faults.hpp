@@ -26,21 +26,22 @@
 
 namespace grafverif {
 
-/// Returns the names of the faults of a combination, such as `V_stuck + H_stuck`; `no fault` if it is empty.
+/// Returns the names of the faults of a combination, such as `V_stuck + H_stuck`. For the empty combination, returns
+/// `no fault`.
 std::string names_of(const FaultAnalysis& analysis, const FaultSet& faults);
 /// Returns text such as `minimality is unproved: V_stuck, H_stuck have the verdict unknown`; empty if the combination
 /// is proved to be minimal.
 std::string unproved(const FaultAnalysis& analysis, const FaultAnalysis::Cut& cut);
 /// Returns the reason why a combination has no trace.
 std::string absence_of_trace(const FaultAnalysis::Row& row, const FaultAnalysis::Cut& cut);
-/// True if the report shows the results for a property. It omits `no timelock` if the model does not declare this
-/// property and it holds without faults and for all checked combinations.
+/// True if the report shows the results for a property. The report omits an undeclared `no timelock` if this property
+/// holds without faults and for all checked combinations.
 bool is_shown(const FaultAnalysis::Row& row);
 
 /// The effects of a fault, one sentence each.
 struct FaultEffects {
     std::vector<std::string> on_properties = {};
-    std::vector<std::string> visible = {};  ///< effects on steps and outputs
+    std::vector<std::string> visible = {};  ///< effects of the fault on steps and outputs
 };
 FaultEffects effects_of(const FaultAnalysis& analysis, std::size_t fault);
 

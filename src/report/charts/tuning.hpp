@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Writes results of tuning as text and as JSON.
 //
-// A point is one combination of values of the tuned constants. For each property, the text contains the verdict if it
-// is the same at all points. If the verdict differs between points, the text contains a table of intervals (one
+// A point is one combination of values of the tuned constants. If the verdict on a property is the same at all points,
+// the text contains this verdict. If the verdict differs between points, the text contains a table of intervals (one
 // constant), a map with one character per point (two constants), or a table of boxes. Then the text lists the margins.
 // A margin is the smallest change of one constant from its current value that changes the verdict, while all other
 // constants keep their current values.

@@ -22,7 +22,7 @@ inline void append_number(std::string& key, std::uint64_t value) {
     for (unsigned byte = 0; byte < 8; ++byte) key += static_cast<char>(value >> (8U * byte));
 }
 
-/// One cycle with stability search.
+/// The result of one cycle with stability search.
 struct Reaction {
     StatePointer before = {}, after = {};
     std::vector<std::vector<Id<Chart::Transition>>> fired = {};  ///< cleared transitions per evolution
@@ -37,7 +37,8 @@ public:
     /// Requires a chart that `derive` accepts. The tables are cleared when their approximate size exceeds `most_bytes`.
     Reactions(const Chart& chart, std::size_t most_bytes);
 
-    /// Returns the executed copy of the chart. The durations of the copy differ from those of the original.
+    /// Returns the executed copy of the chart. The durations in the copy differ from the durations in the original
+    /// chart.
     const Chart& chart() const { return chart_; }
 
     StatePointer initial() { return unique(power_on(chart_)); }

@@ -408,7 +408,7 @@ void RecordingCheck::poll() {
 
 /// Joins with `hypothesis` each hypothesis at an index in `same` of `list` for which the union of the zones is a zone.
 /// Removes the indices of the joined hypotheses from `same`, clears their `state`, and returns their number. The
-/// history of `hypothesis` does not change: it is a run of the chart to the same state with the same changes.
+/// history of `hypothesis` does not change: its run of the chart leads to the same state with the same changes.
 std::size_t RecordingCheck::join(Hypothesis& hypothesis, std::vector<std::size_t>& same,
                                  std::vector<Hypothesis>& list) {
     const std::size_t before = same.size();

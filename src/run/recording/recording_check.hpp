@@ -108,7 +108,7 @@ private:
         Id<Chart::Variable> variable = {};
         bool input = false;
         std::size_t clock = 0;    ///< variable of the zone: the negated offset of the clock, or 0
-        std::int64_t last = 0;    ///< value of the last sample
+        std::int64_t last = 0;    ///< value of the signal in the last sample
         std::uint64_t first = 0;  ///< position of the first stored change
         std::deque<Change> changes = {};
 
@@ -121,7 +121,7 @@ private:
         std::shared_ptr<Instant> previous = {};
         std::shared_ptr<const Reaction> reaction = {};
         std::vector<std::int64_t> inputs = {};
-        Ticks time = 0;  ///< a typical time of the instant
+        Ticks time = 0;  ///< a possible time of the instant, for display
         std::uint64_t number = 0;
     };
     struct Hypothesis {
@@ -179,7 +179,7 @@ private:
     /// For each variable: index in signals_ + 1, or 0 if the variable has no signal.
     std::vector<std::size_t> signal_of_ = {};
     std::vector<Hypothesis> hypotheses_ = {};
-    std::deque<std::pair<Ticks, std::uint64_t>> lines_ = {};  ///< last samples: time and line
+    std::deque<std::pair<Ticks, std::uint64_t>> lines_ = {};  ///< time and line of the last samples
     bool begun_ = false;
     Ticks begin_ = 0, now_ = 0;
     Ticks known_ = 0;  ///< instants up to this time can be expanded
