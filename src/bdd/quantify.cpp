@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Quantification, and the relational product, which quantifies during the conjunction (Burch, Clarke and Long 1990).
-// The variables form a cube. Variables of the cube above the top variables of the operands are skipped. If no variable
-// of the cube remains, the result is the operand, or the conjunction of the two operands. If the result of the first
-// branch of a quantified variable is true, the other branch is skipped.
+// A cube (conjunction of variables) represents the set of quantified variables. Variables of the cube above the top
+// variables of the operands are skipped. If no variable of the cube remains, the result is the operand, or the
+// conjunction of the two operands. If the result of the first branch of a quantified variable is true, the other branch
+// is skipped.
 #include <algorithm>
 #include <utility>
 

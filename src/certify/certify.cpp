@@ -18,7 +18,7 @@
 
 namespace certify {
 
-/// True if `states` states of the size of `one`, in a run or after it, need too much memory.
+/// True if `states` states of the size of `one` would need too much memory.
 bool are_too_many(std::size_t states, const State& one) {
     return states * (one.size() + 16) > 200'000'000;  // 16: the overhead of a state, in values
 }

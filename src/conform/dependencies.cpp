@@ -65,7 +65,7 @@ private:
         }
     }
 
-    /// Returns `term`, in `scratch`, for the case that no transition fires.
+    /// Returns the value of `term` for the case that no transition fires, as a term in `scratch`.
     Id<Expr> while_quiet(Id<Expr> term, Exprs& scratch) const {
         return translate(exprs_, term, scratch, [&](const Expr& leaf) {
             return firing_of(leaf) ? scratch.constant(false)

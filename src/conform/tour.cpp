@@ -293,7 +293,7 @@ public:
 private:
     struct Visit {
         std::uint32_t node = 0;
-        std::uint32_t arc = none;  ///< incoming arc
+        std::uint32_t arc = none;  ///< index of the incoming arc
     };
 
     static std::uint64_t key(std::uint32_t node, std::uint32_t inputs) { return (std::uint64_t{node} << 32U) | inputs; }

@@ -10,7 +10,7 @@
 
 namespace grafverif::lsp {
 
-/// Kinds of proposals, with the numbers of LSP 3.17 ("CompletionItemKind").
+/// The kind of a proposal, with its number in LSP 3.17 ("CompletionItemKind").
 enum class ProposalKind {
     Function = 3,
     Field = 5,

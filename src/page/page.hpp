@@ -70,7 +70,8 @@ struct PageContent {
     Report report = {};
     std::vector<Trial> trials = {};                      ///< trials of remedies, if a limit ended the check
     std::optional<CertificateSummary> certificate = {};  ///< certificate of the verdicts of `report`, if requested
-    std::vector<ChartRun> tests = {};                    ///< runs of the test sequences of the only chart
+    /// If the page is about a single chart: runs of its test sequences.
+    std::vector<ChartRun> tests = {};
     /// If present, the page shows these results instead of the verdicts of `report`.
     std::optional<FaultAnalysis> faults = {};
     /// If present, the page shows these results instead of the verdicts of `report`.

@@ -31,8 +31,8 @@ struct TestReport {
         std::size_t row = 0;       ///< index of the row in the sequence, including its activation
         std::uint32_t scan = 1;    ///< number of the first failed scan of the row, starting at 1
         Cause cause = Cause::Different;
-        std::vector<std::int64_t> answered = {};  ///< value of each output; only for Different
-        std::string message = {};                 ///< details of the cause; empty for Different
+        std::vector<std::int64_t> answered = {};  ///< actual value of each output; only for the cause Different
+        std::string message = {};                 ///< details of the cause; empty for the cause Different
         bool operator==(const Failure&) const = default;
     };
 

@@ -114,7 +114,7 @@ std::pair<std::size_t, std::size_t> window(const std::vector<Cell>& cells, std::
 }
 
 /// Returns the line, and a second line with at least one caret under the terminal columns of the marked characters. For
-/// a long line, only the part near the mark is measured.
+/// a long line, only the part near the marked text is examined.
 Excerpt excerpt(std::string_view line, std::size_t column, std::size_t length, std::size_t columns) {
     constexpr std::size_t near = 4096;  // in bytes; larger than the printed part of any line
     std::size_t cut = column > near ? column - near : 0;

@@ -261,7 +261,8 @@ Diagnostic too_many_states(Span where, std::uint64_t limit);
 Diagnostic automaton_too_large(Span where);
 /// `by_user` is true if the user stopped the run, false if the time limit was reached.
 Diagnostic stopped(Span where, bool by_user);
-// Messages about a run that ended early for a reason outside the model. After each of them, the exit code is 3.
+// Messages about a run that ended early for a reason outside the model. After each of these messages, the program ends
+// with exit code 3.
 Diagnostic timed_out(std::uint64_t milliseconds);
 Diagnostic interrupted();
 Diagnostic out_of_memory(std::optional<std::uint64_t> allowed);

@@ -43,8 +43,8 @@ public:
         : system_(system), names_(names), exprs_(system.exprs) {}
 
     const Exprs& exprs() const { return exprs_; }
-    /// Returns the term of `module` in the form in which it is printed. `symbol` is the symbol whose value the term is;
-    /// invalid if there is no such symbol.
+    /// Returns the term of `module` in the form in which it is printed. `symbol` is the symbol that has the value
+    /// `term`; invalid if there is no such symbol.
     Id<Expr> named(Id<TransitionSystem::Module> module, Id<Expr> term, Id<TransitionSystem::Symbol> symbol = {});
 
 private:
