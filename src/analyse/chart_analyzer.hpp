@@ -109,7 +109,7 @@ private:
         bool seen = false;
     };
 
-    // Events that are possible (chart_analyzer_events.cpp).
+    // The following functions search for possible events (chart_analyzer_events.cpp).
     void expect_breaks();
     void expect_break(const Machine::FaultCondition& each);
     void expect(std::string_view code, std::size_t index, const Bdd& goal, std::function<bool(const Bdd&)> record);
@@ -122,7 +122,7 @@ private:
     bool report_fault(std::string_view code, const Machine::FaultCondition& each, const Bdd& points, const Bdd& early);
     bool report_reactivated(Step step, const Bdd& seen);
 
-    // Events that are impossible (chart_analyzer_never.cpp).
+    // The following functions search for impossible events (chart_analyzer_never.cpp).
     void watch_signs();
     void watch(std::string_view code, std::size_t index, PointSet among, const Bdd& goal);
     void watch_outputs();
@@ -139,7 +139,7 @@ private:
     void transient_steps();
     void silent_outputs();
 
-    // Events that are impossible after some points (chart_analyzer_traps.cpp).
+    // The following functions search for events that are impossible after some points (chart_analyzer_traps.cpp).
 
     /// An event that may recur: a step is active, a transition is cleared, or a stored value changes.
     struct Passing {

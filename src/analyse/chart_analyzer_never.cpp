@@ -17,7 +17,7 @@ void ChartAnalyzer::watch(std::string_view code, std::size_t index, PointSet amo
 void ChartAnalyzer::watch_signs() {
     for (const Step step : chart_.steps.ids()) {
         if (!machine_.covers_step(step.index)) continue;
-        // A step that is initially active is treated as active, even if no evolution follows.
+        // An initial step counts as active in some run, even if no evolution follows.
         const bool initial = equations_.variables[equations_.steps[step.index].variable].initial != 0;
         if (initial) questions_.decide("step-never-active", step.index);
         watch("step-never-active", step.index, PointSet::Points, machine_.active(step.index));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exact counting of satisfying assignments, bottom-up. Numbers of assignments can be large, with one bit per variable;
+// Counts satisfying assignments exactly, bottom-up. Numbers of assignments can be large, with one bit per variable;
 // therefore their memory is charged to the space. Each number is freed after its last use.
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Renames variables simultaneously. Both branches of a node are renamed first. If the new variable of the node is above
-// all variables of the renamed branches, a node combines them, otherwise if-then-else.
+// Renames variables simultaneously. Both branches of a node are renamed first. The renamed branches are combined by a
+// node if the new variable of the node is above all their variables, otherwise by if-then-else.
 //
 // The map from old to new variables is indexed by level. The map is computed at the first use and after each change of
 // the variable order. A cache entry identifies the map by a number.

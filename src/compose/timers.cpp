@@ -8,8 +8,8 @@
 // output Q sets EVOL_TI. If the step is inactive at the end of the update, the request only stops the timer.
 //
 // With a task cycle, EVOL_TI does not exist, because time starts the scans. In a scan that searches for stability, no
-// delay elapses before `stable` is true: all evolutions of the scan read the delays as they are at the start of the
-// scan.
+// delay elapses before `stable` is true: for all evolutions of the scan, only those delays have elapsed that had
+// elapsed at its start.
 //
 // With t2, Q remains true for t2 after the level falls. The delay t1 ends before the delay t2 begins. If the level
 // rises again during t2, the new t1 (rise, clock t) elapses concurrently with the rest of the previous t2 (fall, clock

@@ -20,7 +20,8 @@ std::string fault_of_assignment(const std::string& text);
 
 /// The declaration of one variable of a chart, such as `output n: int 0..3 = 1`.
 struct Declared {
-    std::string fault = {};  ///< if not empty, the other members are empty
+    /// Reason why the text is not such a declaration; if not empty, the other members are empty.
+    std::string fault = {};
     tree::VariableKind kind = tree::VariableKind::Input;
     std::string name = {};
     bool has_index = false;

@@ -7,13 +7,13 @@
 //   a timer expires    its output is true and was false in the previous state; in the first state, its output is true
 //
 // To omit events, the run is re-executed from the first state. If the change of an input is omitted, the input keeps
-// its value until its next change. If the expiry of a timer is omitted, the timer expires at its next expiry. The order
-// of several controllers is unchanged. After the end of the run, the execution continues until a state is repeated;
-// from then on, the run repeats forever. In this continuation, no input changes, no timer expires, and each controller
-// executes in every step. The constraints on the inputs, and the property, must hold in each state of the run. The run
-// may be untimely (run/replay.hpp) only if the original run is untimely. For example, a run in which `5s/X1` has
-// expired and `3s/X1` has not expired is untimely, because no plant produces it. Changes that move an event to a later
-// state are not considered.
+// its value until its next change. If the expiry of a timer is omitted, the output of the timer stays false until the
+// next expiry of this timer in the run. The order of several controllers is unchanged. After the end of the run, the
+// execution continues until a state is repeated; from then on, the run repeats forever. In this continuation, no input
+// changes, no timer expires, and each controller executes in every step. The constraints on the inputs, and the
+// property, must hold in each state of the run. The run may be untimely (run/replay.hpp) only if the original run is
+// untimely. For example, a run in which `5s/X1` has expired and `3s/X1` has not expired is untimely, because no plant
+// produces it. Changes that move an event to a later state are not considered.
 //
 // For given inputs, the model has exactly one result for each step. Therefore each event of a smallest set is a cause
 // as defined by Halpern and Pearl; the model represents the equations, and the other events of the set are the

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Implements the tool `complete`, which returns the names and keywords that are valid at a position. A language server
-// that runs only for this call determines them.
+// that runs only for this call determines these names and keywords.
 #include <fmt/format.h>
 
 #include <algorithm>

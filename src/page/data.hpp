@@ -28,8 +28,8 @@
 //                 list of timers of the controller, or null
 //     scans       for each controller of the run: the scans of its program, or null. A scan is `[moment, changes]`.
 //                 Each change is `[point, value]`, or `[point, value, count]` if the point was evaluated several times;
-//                 the value is null if the scan did not evaluate the point. A point without a change is as in the
-//                 previous scan
+//                 the value is null if the scan did not evaluate the point. A point without a change has the same value
+//                 as in the previous scan
 //     initial     for each instance, by name, the index of its initial location, if known
 //     end         the text shown at the end of the run; may be empty
 //     violation   how the run violates a sentence that an observer checks, or null: `moment` is the event from which on

@@ -17,7 +17,7 @@ namespace {
 
 using Kind = RecordingVerdict::Kind;
 
-/// Returns the name of a property on the page. Because of the `.`, it differs from the names of charts.
+/// Returns the name of a property on the page. Because of the `.`, the result differs from the names of charts.
 std::string name_of(const RecordedProperty& property) { return property.loop + "." + property.name; }
 
 PropertyLook look_of(const RecordingVerdict& verdict) {

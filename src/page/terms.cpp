@@ -56,8 +56,8 @@ const char* name_of(Op op) {
 
 bool is_number(Op op) { return op == Op::Integer || op == Op::Duration || is_arithmetic(op); }
 
-/// Returns the index of a variable among the variables of the same kind (input, output, internal). The lists of a
-/// controller have the same order.
+/// Returns the index of a variable among the variables of the same kind (input, output, internal). The lists of signals
+/// of a controller have the same order.
 std::size_t place_of(const Chart& chart, Id<Chart::Variable> wanted) {
     std::size_t place = 0;
     for (const Id<Chart::Variable> id : chart.variables.ids()) {

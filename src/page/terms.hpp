@@ -3,10 +3,10 @@
 // them.
 //
 // A node is `{"op", "text", "boolean", "args"?, ...}`; `text` is the term in the notation of the file, possibly
-// shortened. The `op` of a leaf names its element. In a chart it is `input`, `output`, `internal`, `step` or `timed`;
-// `place` is the index in the list of these elements of the controller. In a loop, these nodes also have the member
-// `controller`. Further values of `op` in a loop are `signal` (a signal of the plant, with its name in `text`) and
-// `location` (with `instance` and `location`). `unknown` is an element that runs do not contain.
+// shortened. The `op` of a leaf names its element. In a chart, `op` is `input`, `output`, `internal`, `step` or
+// `timed`; `place` is the index in the list of these elements of the controller. In a loop, these nodes also have the
+// member `controller`. Further values of `op` in a loop are `signal` (a signal of the plant, with its name in `text`)
+// and `location` (with `instance` and `location`). `unknown` is an element that runs do not contain.
 #pragma once
 
 #include <functional>

@@ -19,7 +19,7 @@ namespace grafverif {
 
 namespace {
 
-constexpr std::size_t gutter = 2;      // characters before the table: bar of a loop, star of a cause
+constexpr std::size_t gutter = 2;      // number of characters before each row: bar of a loop, star of a cause
 constexpr std::size_t column_gap = 2;  // number of blanks between columns
 constexpr std::size_t least_width = 8;
 

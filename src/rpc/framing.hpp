@@ -73,8 +73,8 @@ public:
     LineFraming(Receive receive, std::size_t largest) : buffer_(std::move(receive)), largest_(largest) {}
 
     /// Returns the next message, or nothing at the end of the stream. A last line without terminator is also a message.
-    /// If a call throws std::bad_alloc, the message that it was reading is skipped, and the next call returns the
-    /// following message.
+    /// If a call throws std::bad_alloc, the current message is skipped, and the next call returns the following
+    /// message.
     std::optional<Framed> next();
 
 private:

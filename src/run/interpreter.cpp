@@ -184,7 +184,7 @@ Evolution evolve(const Chart& chart, const State& state, InputValues inputs, con
     if (state.started) {
         evolution.fired = transitions_to_clear(chart, levels, state, before, evolution.fault);
         if (evolution.fault) return evolution;
-        // In a further evolution with the same inputs, all edges of inputs are false.
+        // In a further evolution with the same inputs, all edges are false.
         Reader without_edges(chart, state, inputs, timed, nullptr);
         const auto clears_next = [&] {
             return !remembered.edges.empty() &&

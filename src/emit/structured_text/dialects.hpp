@@ -18,10 +18,12 @@ struct DialectRow {
     Dialect dialect = Dialect::Iec;
     FileForm file = FileForm::Standard;
     std::string_view on_delay = "TON", off_delay = "TOF";  ///< names of the timer types
-    std::string_view prefix = {};                          ///< precedes each variable and instance in statements
-    std::string_view quote = {};                           ///< encloses the name of the block in its first line
-    std::string_view attributes = {};                      ///< attribute lines after the first line of the block
-    std::string_view begin = {};                           ///< line before the statements of the block
+    /// Text before each name of a variable or instance in statements.
+    std::string_view prefix = {};
+    /// Character that encloses the name of the block in its first line.
+    std::string_view quote = {};
+    std::string_view attributes = {};  ///< attribute lines after the first line of the block
+    std::string_view begin = {};       ///< line before the statements of the block
     grafverif::Dialect spelling = structured_text_spelling;
     /// Reserved words in addition to the reserved words of the standard, in capitals.
     std::span<const std::string_view> reserved = {};

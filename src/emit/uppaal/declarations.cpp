@@ -136,7 +136,7 @@ void write_variable(std::ostream& out, const Network& network, const Names& name
     out << '\n';
 }
 
-/// Returns the controller whose cycle is the template; null if there is none.
+/// Returns the controller whose PLC cycle the template represents; null if there is no such controller.
 const Network::Controller* controller_of(const Network& network, Id<Network::Template> automaton) {
     for (const Network::Controller& controller : network.controllers)
         if (network.processes[controller.process].automaton == automaton) return &controller;
