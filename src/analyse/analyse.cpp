@@ -56,11 +56,12 @@ std::string obstacle_text(const BddExhausted& exhausted, const AnalyseOptions& o
     return memory_limit_reached(options.max_memory);
 }
 
-/// The maximum work on one cone while only queries about absorbing regions are open, in multiples of the first slice.
+/// The maximum work on one cone while only queries about absorbing regions are open, as a multiple of
+/// AnalyseOptions::first_slice.
 constexpr std::uint64_t most_for_paths = 16;
 
-/// Schedules the searches of the cones ("parts") of a chart. The searches continue alternately, each with a limited
-/// slice of work, until no query is open or no search can continue.
+/// Schedules the searches of the cones of influence ("parts") of a chart. The searches are continued in turn, each with
+/// a limited amount of work, until no query is open or no search can continue.
 class ConeSchedule {
 public:
     ConeSchedule(const Chart& chart, const Equations& equations, const AnalyseOptions& options, Analysis& result)
@@ -97,7 +98,7 @@ private:
     struct ConeSearch {
         Cone cone = {};
         AnalyseOptions options = {};
-        bool loosely = false;  ///< true if the over-approximating search is complete
+        bool loosely = false;  ///< true if the over-approximating search of the part is complete
         bool complete = false, given_up = false, doubtful = false;
         bool paths_known = false;  ///< true if the absorbing regions of the part were determined
     };
@@ -110,7 +111,7 @@ private:
 
     bool is_last(const ConeSearch& part) const { return part.options.longest_count != options_.longest_count; }
 
-    /// Continues the search of each part. Returns false if no part can continue.
+    /// Continues the search of each part with at most `slice` units of work. Returns false if no search can continue.
     bool continue_searches(std::uint64_t slice) {
         bool any = false;
         for (std::size_t k = 0; k < parts_.size() && questions_.any_open(); ++k) {
@@ -126,9 +127,9 @@ private:
         return any && !stopped_;
     }
 
-    /// Decides further queries if the searches of all proper cones are complete and these cones together contain the
-    /// complete chart. In this case, if an instant of the chart never ends, then it also never ends in at least one of
-    /// these cones.
+    /// Decides further queries if the searches of all cones except the complete chart are complete, and these cones
+    /// together contain the complete chart. In this case, if an instant of the chart never ends, an instant of at least
+    /// one of these cones never ends either.
     void add_up() {
         for (const ConeSearch& part : parts_)
             if (!whole(part) && (!part.complete || part.doubtful)) return;
@@ -163,9 +164,9 @@ private:
                                    [](const Query& question) { return !question.decided && is_break(question.code); });
     }
 
-    /// Continues the search of part `k`. Under stability search, a less expensive over-approximation is searched first,
-    /// in which inputs may change before every evolution. An event that does not occur in the over-approximation never
-    /// occurs in the chart.
+    /// Continues the search of part `k`. Under stability search, an over-approximation in which inputs may change
+    /// before every evolution is searched first, because its search is less expensive. An event that does not occur in
+    /// the over-approximation never occurs in the chart.
     void continue_search(std::size_t k, std::uint64_t slice) {
         ConeSearch& part = parts_[k];
         if (options_.mode == ExecutionMode::StabilitySearch && !part.loosely && !is_last(part)) {
@@ -176,7 +177,7 @@ private:
         spend(part, slice, [&](BddSpace& space) { look_at(k, space); });
     }
 
-    /// Runs `look` with at most `slice` units of work. Returns true if `look` was completed.
+    /// Executes the function `look` with at most `slice` units of work. Returns true if `look` was completed.
     template <class Look>
     bool spend(ConeSearch& part, std::uint64_t slice, const Look& look) {
         if (is_over()) {
@@ -229,9 +230,9 @@ private:
         if (is_contradictory(machine)) return;
         PathSearch search(machine, options_.mode);
         ChartAnalyzer analyzer(chart_, equations_, options_, machine, search, questions_, result_);
-        // The work of the search (`searching`) and of the examination of points by the queries (`looking`). If the
-        // examination took more work than the search, the new points are examined later, together with the points of
-        // the next instants.
+        // The work for finding points (`searching`) and for evaluating the queries on them (`looking`). If the
+        // evaluation took more work than the search, the queries are evaluated on the new points later, together with
+        // the points of the next instants.
         std::uint64_t searching = 0, looking = 0;
         try {
             while (!search.done()) {
@@ -275,8 +276,9 @@ private:
     bool stopped_ = false, contradictory_ = false;
 };
 
-/// True if an acceptance with `subject` accepts a finding about `found`. The subject `H.` is that of an acceptance
-/// without subject in the partial chart `H`, which is an instance of a chart: it accepts findings about elements of `H`.
+/// True if a declaration in the chart that accepts findings about `subject` also accepts a finding about `found`. The
+/// subject `H.` belongs to a declaration without subject in the partial chart `H`, which is an instance of a chart.
+/// Such a declaration accepts findings about all elements of `H`.
 bool accepts(const Chart& chart, std::string_view subject, std::string_view found) {
     if (subject.empty() || subject == found) return true;
     if (!subject.ends_with('.')) return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Evaluates the queries during the search, and computes the runs that demonstrate the findings.
+// Evaluates the queries during the search, and computes a run that demonstrates each finding.
 #include "analyse/chart_analyzer.hpp"
 
 #include <algorithm>
@@ -74,7 +74,7 @@ void ChartAnalyzer::conclude_loosely() {
     silent_outputs();
     for (const Transition id : chart_.transitions.ids())
         if (unseen("transition-never-fired", id.index) && !seen(enabled(id))) dead_transition(id);
-    std::set<const Query*> met;  // this is a set, because a query may have several events
+    std::set<const Query*> met;  // a set, because several events may belong to one query
     for (const Event& event : events_)
         if (event.seen || (event.question->index == no_variable && !machine_.whole())) met.insert(event.question);
     for (const Event& event : events_)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Chart analyzer: evaluates the open queries of an analysis on the points of one machine after each instant of the
-// search, so that findings are available immediately. An event is possible if the interpreter confirms a run that shows
-// the event. An event is impossible if a complete search has not found it. A query remains open if its event occurs in
-// a cone but no run of the chart confirms the event.
+// Chart analyzer: evaluates the open queries of an analysis on the points of one Machine after each instant of the
+// search, so that findings are available immediately. An event is possible if the interpreter confirms a run in which
+// the event occurs. An event is impossible if a complete search has not found it. A query remains open if its event
+// occurs in a cone of influence but the interpreter confirms no run of the chart with this event.
 #pragma once
 
 #include <cstddef>
@@ -31,9 +31,9 @@ struct Query {
     std::size_t index = 0;  ///< index of the subject in the table to which `code` refers
     std::string subject = {};
     bool decided = false;
-    bool seen_in_part = false;    ///< true if the event occurs in a part, but no run of the chart confirms it
+    bool seen_in_part = false;    ///< true if the event occurs in a part, but no confirmed run of the chart shows it
     std::size_t instants = 0;     ///< for an open query: the number of instants searched without a result
-    std::int64_t evolutions = 0;  ///< for a counter: number of evolutions in which it remains in its range
+    std::int64_t evolutions = 0;  ///< for a counter: number of evolutions in which the counter remains in its range
 };
 
 /// The queries of an analysis, together with the available results.
@@ -50,8 +50,8 @@ public:
     const std::vector<Query>& all() const { return all_; }
     /// Removes all queries.
     void drop() { all_.clear(), places_.clear(); }
-    /// Transfers the results of parts to the chart. Requires that no run of the chart aborts or is infinite within an
-    /// instant.
+    /// Transfers the results of parts to the chart. Requires that no run of the chart aborts, and that every instant of
+    /// every run ends.
     void trust_parts();
     void decide(std::string_view code, std::size_t index = 0);
 
@@ -68,18 +68,18 @@ public:
     ChartAnalyzer(const Chart& chart, const Equations& equations, const AnalyseOptions& options, Machine& machine,
                   PathSearch& search, Queries& questions, Analysis& result);
 
-    /// Examines the points that were found since the last call.
+    /// Evaluates the open queries on the points that were found since the last call.
     void look();
-    /// Reports impossible events. Requires that the search is complete and every instant was examined.
+    /// Reports impossible events. Requires that the search is complete and that look() was called after every instant.
     void conclude();
-    /// Reports events that can no longer occur after some reached points. The requirements are the same as for
+    /// Reports events that cannot occur after some of the reached points. The requirements are the same as for
     /// conclude().
     void find_traps();
     /// Reports events that are impossible even if inputs change before every evolution. Requires a search in which
-    /// inputs change before every evolution, and a chart that is executed with stability search. Only such impossible
-    /// events can be concluded from the points of this search.
+    /// inputs change before every evolution, and a chart that is executed with stability search. This search
+    /// over-approximates the chart, so that it only shows that events are impossible.
     void conclude_loosely();
-    /// Examines the last instant of a search in which inputs change before every evolution.
+    /// Evaluates the queries on the last instant of a search in which inputs change before every evolution.
     void search_loosely();
     /// Records in each open query how many instants were searched. Never throws BddExhausted.
     void leave() noexcept;
@@ -95,10 +95,11 @@ private:
         Query* question = nullptr;
         Bdd goal = {};
         bool seen = false;
-        /// Returns true if a confirmed run shows the event. `seen` contains the new points of the goal.
+        /// Returns true if a confirmed run shows the event. `seen` contains the new points at which the event occurs.
         std::function<bool(const Bdd& seen)> record = {};
     };
-    /// Sets of points: all points, the stable points, or the points directly after an evolution.
+    /// The set of points at which an event is searched: all points (Points), the stable points (Stable), or the points
+    /// directly after an evolution (Landings).
     enum class PointSet { Points, Stable, Landings };
     /// An event whose absence is a finding. The event occurs at the points of `goal` in the set `among`.
     struct Sign {
@@ -108,7 +109,7 @@ private:
         bool seen = false;
     };
 
-    // Events that are possible (chart_analyzer_events.cpp).
+    // The following functions search for possible events (chart_analyzer_events.cpp).
     void expect_breaks();
     void expect_break(const Machine::FaultCondition& each);
     void expect(std::string_view code, std::size_t index, const Bdd& goal, std::function<bool(const Bdd&)> record);
@@ -121,7 +122,7 @@ private:
     bool report_fault(std::string_view code, const Machine::FaultCondition& each, const Bdd& points, const Bdd& early);
     bool report_reactivated(Step step, const Bdd& seen);
 
-    // Events that are impossible (chart_analyzer_never.cpp).
+    // The following functions search for impossible events (chart_analyzer_never.cpp).
     void watch_signs();
     void watch(std::string_view code, std::size_t index, PointSet among, const Bdd& goal);
     void watch_outputs();
@@ -138,17 +139,17 @@ private:
     void transient_steps();
     void silent_outputs();
 
-    // Events that are impossible after some points (chart_analyzer_traps.cpp).
+    // The following functions search for events that are impossible after some points (chart_analyzer_traps.cpp).
 
     /// An event that may recur: a step is active, a transition is cleared, or a stored value changes.
     struct Passing {
         enum class Kind { Step, Transition, Value } kind = Kind::Step;
         Query* question = nullptr;
         Span origin = {};
-        Bdd comes = {};                  ///< the points at which the event occurs
-        Bdd dead_points = {};            ///< the points after which the event is impossible for all inputs
+        Bdd comes = {};                  ///< set of points at which the event occurs
+        Bdd dead_points = {};            ///< set of points after which the event is impossible for all inputs
         bool again = false;              ///< true if the event can occur, cease and occur again
-        std::vector<bool> dead_in = {};  ///< for each region: true if the event never occurs in it
+        std::vector<bool> dead_in = {};  ///< for each absorbing region: true if the event never occurs in the region
     };
     std::vector<Passing> passing();
     bool has_dead_points(Passing& each, const TerminalRegions& terminal, const Bdd& sound,
@@ -162,14 +163,15 @@ private:
     void report_once(const std::vector<const Passing*>& once, const TerminalRegions& terminal);
     void report_regions(const std::vector<Passing>& dead, const TerminalRegions& terminal, const Bdd& sound,
                         const Bdd& known, std::size_t regions);
-    /// Reports the finding with a shortest path to `goal`. If no run confirms the path, the queries remain open.
+    /// Reports the finding with a shortest path to `goal`. If the interpreter does not confirm the path, the queries
+    /// remain open.
     void keep_trap(Finding made, const std::vector<const Passing*>& of, const TerminalRegions& terminal,
                    const Bdd& goal);
     std::string stays_active(const std::vector<const Passing*>& dead, const Bdd& goal);
 
     bool searching() const { return options_.mode == ExecutionMode::StabilitySearch; }
     bool seen(const Bdd& points) const { return !(search_.reached() & points).is_false(); }
-    /// True if all runs of this search are runs of the complete chart.
+    /// True if every path of this search is a run of the complete chart.
     bool certain() const { return machine_.whole() && search_.evolutions() <= machine_.exact_evolutions(); }
     bool is_uncertain(const Query* question) const;
     bool ever_active(Step step) const;
@@ -194,7 +196,7 @@ private:
     Bdd prefer_unbroken(const Bdd& points) const;
     bool keep(Finding finding);
 
-    /// Returns the path to the first element of `points`, followed by the remaining elements.
+    /// Returns a path to the first element of `points`, extended by the remaining elements.
     std::optional<Path> path_along(const std::vector<Point>& points) const;
 
     const Chart& chart_;
@@ -207,7 +209,7 @@ private:
     WitnessTrace last_ = {};  ///< the run that shows the last finding
     std::vector<Event> events_ = {};
     std::vector<Sign> signs_ = {};
-    std::vector<Query*> uncertain_ = {};  ///< queries whose events occurred, but without a confirmed run
+    std::vector<Query*> uncertain_ = {};  ///< queries whose events occurred in the search, but without a confirmed run
     Bdd stable_ = {}, landings_seen_ = {};
     std::size_t explored_instants_ = 0;
     std::set<const Query*> unseen_ = {};  ///< after a complete search: the queries whose event did not occur

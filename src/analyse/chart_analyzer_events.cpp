@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Queries about possible events.
+// Evaluates the queries whose findings are possible events, such as total instability and races.
 #include <algorithm>
 #include <utility>
 
@@ -22,7 +22,7 @@ void ChartAnalyzer::instability() {
     const Bdd transient = machine_.transient(search_.fresh()), followed = machine_.followed(transient);
     Bdd endless = search_.endless(followed);
     // If there is no instability at points with exact counters, the points at which a counter exceeds its represented
-    // values are included. An instability found there may end when the counter reaches the end of its range.
+    // values are also considered. An instability at these points may end when the counter reaches the end of its range.
     const bool counting = endless.is_false() && !(followed == transient);
     if (counting) endless = search_.endless(transient);
     if (endless.is_false()) return;
@@ -43,8 +43,8 @@ void ChartAnalyzer::instability() {
 // -- races, and values that are undefined or out of range -------------------------------------------------------------
 
 void ChartAnalyzer::expect_breaks() {
-    // Queries for which no fault is found are decided at the end of the search. These are the queries about every
-    // stored variable of the cone and, if the cone contains the complete chart, the query about its conditions.
+    // Queries without a fault are decided at the end of the search: the queries about the stored variables of the cone
+    // and, if the cone contains the complete chart, the query about conditions.
     for (const Equations::Stored& stored : equations_.stored)
         if (machine_.covers(stored.variable))
             for (const char* code : {"action-race", "out-of-range", "no-value"})
@@ -124,7 +124,7 @@ void ChartAnalyzer::dead_value(const Equations::Stored& stored, bool value) {
         if (!is_constant(equations_.exprs[write.value].op)) continue;
         (is_true(equations_.exprs, write.value) == value ? stores : overwrites) |= machine_.holds(write.trigger);
     }
-    std::vector<Bdd> layers{// points whose evolution stores the value, followed by their successors
+    std::vector<Bdd> layers{// points whose evolution stores the value, followed by layers of their successors
                             machine_.transient(search_.fresh() & stores)};
     Bdd seen, hit;
     while (!layers.back().is_false() && hit.is_false()) {

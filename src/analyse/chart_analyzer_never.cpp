@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Queries about impossible events. An event that does not occur at any reachable point is a finding.
+// Evaluates the queries whose findings are impossible events, that is, events that occur at no reachable point.
 #include <algorithm>
 #include <ostream>
 
@@ -17,7 +17,7 @@ void ChartAnalyzer::watch(std::string_view code, std::size_t index, PointSet amo
 void ChartAnalyzer::watch_signs() {
     for (const Step step : chart_.steps.ids()) {
         if (!machine_.covers_step(step.index)) continue;
-        // A step that is initially active is treated as active, even if no evolution follows.
+        // An initial step counts as active in some run, even if no evolution follows.
         const bool initial = equations_.variables[equations_.steps[step.index].variable].initial != 0;
         if (initial) questions_.decide("step-never-active", step.index);
         watch("step-never-active", step.index, PointSet::Points, machine_.active(step.index));
@@ -74,8 +74,8 @@ bool ChartAnalyzer::sign_seen(const Sign& sign) {
     return false;
 }
 
-/// Returns true if the interpreter confirms that the complete chart, and not only this cone, has a run to a point of
-/// `points`. Returns false if no event times were found for the run.
+/// True if the interpreter confirms that the complete chart, and not only the cone of this machine, has a run to a
+/// point of `points`. The result is also false if no event times were found for the run.
 bool ChartAnalyzer::confirmed(const Bdd& points) {
     const std::optional<Path> path = search_.path_to(points);
     if (!path) return false;
@@ -85,7 +85,7 @@ bool ChartAnalyzer::confirmed(const Bdd& points) {
     return true;
 }
 
-/// Decides every open query whose event occurs on `path`, because a run that was found for one event may also show
+/// Decides every open query whose event occurs on `path`, because the run that demonstrates one event may also show
 /// other events.
 void ChartAnalyzer::confirm_others(const Path& path) {
     for (const Sign& sign : signs_) {
@@ -127,8 +127,8 @@ void ChartAnalyzer::dead_transitions() {
 }
 
 /// Returns, as text, the first conjunct of the transition condition that is false whenever the transition is enabled.
-/// Only conjuncts in which all variables have names in the chart are considered. The text is empty if there is no such
-/// conjunct.
+/// Conjuncts with variables that have no name in the chart are ignored. The text is empty if no conjunct is always
+/// false.
 std::string ChartAnalyzer::false_part(Transition id) {
     const Exprs& exprs = equations_.exprs;
     const Id<Expr> condition = equations_.firings[id.index].condition;

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Queries about events that are impossible after some points, based on absorbing regions ("traps"). All reachable
-// points are known. Therefore, an event is impossible after a point if no path leads from this point to the event. The
-// graph of the points contains every run of the chart. It also contains spurious runs, in which timers expire in an
-// order that is impossible for some or all durations. Therefore, a finding is valid for all durations of the timers. A
-// region that is absorbing only because of durations is not found.
+// Evaluates queries about events that are impossible after some points, based on absorbing regions ("traps"), which no
+// run leaves. All reachable points are known. Therefore, an event is impossible after a point if no path leads from
+// this point to the event. The graph of the points contains every run of the chart. The graph also contains spurious
+// runs, in which timers expire in an order that is impossible for some or all durations. Therefore, a finding is valid
+// for all durations of the timers. The analysis does not find regions that are absorbing only because of durations.
 //
-// If a run aborts in an evolution, or if one of its instants never ends, the event might occur in the unknown
-// continuation of the run. Therefore, no finding is reported for points from which such an evolution or instant is
-// reachable.
+// If a run aborts in an evolution, or if one of its instants never ends, an event might occur in the unknown
+// continuation of the run. Therefore, no finding is reported for points from which an aborting evolution or an endless
+// instant is reachable.
 //
 // An element (a step, transition or stored value) is dead in an absorbing region if its event occurs at no point of the
 // region. All regions with the same dead elements form one trap. A trap is reported with a path to a point after which
-// all of its dead elements are dead. If neither of two elements is always dead when the other one is dead, the two
-// elements have separate paths. An element whose event occurs at most once in a run belongs to a start-up or final
-// phase; the finding about this element is a note.
+// all of its dead elements are dead. Two elements are reported with separate paths if each of them can be dead while
+// the other element is not dead. An element whose event occurs at most once in a run belongs to a start-up or final
+// phase; a finding about such an element is only a note.
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -84,13 +84,13 @@ void ChartAnalyzer::find_traps() {
 }
 
 /// Records that the event of the query can recur. If the machine represents only a cone, the query remains open,
-/// because a cone may have runs that the chart does not have. The query is then decided on the complete chart, or by a
-/// proof that every run of the cone is a run of the chart.
+/// because a cone may have runs that the chart does not have. In this case, the query is decided later on the complete
+/// chart, or by a proof that every run of the cone is a run of the chart.
 void ChartAnalyzer::mark_live(Query& question) const {
     (machine_.whole() ? question.decided : question.seen_in_part) = true;
 }
 
-/// True if the event occurs at some point, and is impossible after another point.
+/// True if the event occurs at some point, but is impossible after another reachable point.
 bool ChartAnalyzer::has_dead_points(Passing& each, const TerminalRegions& terminal, const Bdd& sound,
                                     const std::vector<Bdd>& regions) const {
     each.comes &= terminal.reached();
@@ -105,7 +105,7 @@ bool ChartAnalyzer::has_dead_points(Passing& each, const TerminalRegions& termin
     return !each.dead_points.is_false();
 }
 
-/// Reports all traps. All regions with the same dead elements form one trap.
+/// Reports all traps. A trap consists of all absorbing regions with the same dead elements.
 void ChartAnalyzer::report_never_again(const std::vector<Passing>& dead, const TerminalRegions& terminal,
                                        const std::vector<Bdd>& regions) {
     std::map<std::vector<const Passing*>, Bdd> traps;
@@ -127,8 +127,8 @@ void ChartAnalyzer::report_never_again(const std::vector<Passing>& dead, const T
     if (!left.empty()) report_once(left, terminal);
 }
 
-/// Reports, in groups, the elements that are dead in a trap. The reported points are in `within`, from which the trap
-/// is reachable. All elements of a group are dead at the point that is reported for the group.
+/// Reports, in groups, the elements that are dead in a trap. The reported points are in `within`, the set of points
+/// from which the trap is reachable. All elements of a group are dead after the point that is reported for the group.
 void ChartAnalyzer::report_trap(const std::vector<const Passing*>& dead, const Bdd& within,
                                 const TerminalRegions& terminal, std::set<const Passing*>& reported) {
     std::vector<const Passing*> left = dead;
@@ -149,8 +149,8 @@ void ChartAnalyzer::report_trap(const std::vector<const Passing*>& dead, const B
             for (const Passing* each : left) {
                 const Bdd both = first & each->dead_points;
                 const bool nested = both == first || both == (each->dead_points & within);
-                // Two elements that can each be dead together with the leader need not be dead together at a common
-                // point.
+                // Each of two elements may be dead at a point where the first element of the group is dead, but both
+                // need not be dead at the same point.
                 if ((!shown && !nested) || (goal & each->dead_points).is_false()) continue;
                 goal &= each->dead_points;
                 group.insert(each);
@@ -205,7 +205,7 @@ std::string ChartAnalyzer::stays_active(const std::vector<const Passing*>& dead,
 }
 
 void ChartAnalyzer::report_once(const std::vector<const Passing*>& once, const TerminalRegions& terminal) {
-    std::vector<std::string> names, values;  // initializing a value in the first evolution is not a change
+    std::vector<std::string> names, values;  // the initialization of a value in the first evolution is not a change
     for (const Passing* each : once)
         (each->kind == Passing::Kind::Value ? values : names).push_back(each->question->subject);
     std::string words;
@@ -233,8 +233,8 @@ void ChartAnalyzer::keep_trap(Finding made, const std::vector<const Passing*>& o
     if (shown) keep(std::move(made));
 }
 
-/// Reports absorbing regions without dead elements. If the complete graph has only one absorbing region, this region is
-/// reported only if some run clears transitions infinitely often without entering it.
+/// Reports absorbing regions without dead elements. If the complete graph has only one absorbing region, it is reported
+/// only if some run clears transitions infinitely often without entering the region.
 void ChartAnalyzer::report_regions(const std::vector<Passing>& dead, const TerminalRegions& terminal, const Bdd& sound,
                                    const Bdd& known, std::size_t regions) {
     Query& question = *questions_.open("region-never-left", 0);

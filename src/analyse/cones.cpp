@@ -18,8 +18,8 @@ using Numbers = std::vector<std::uint32_t>;
 /// The maximum total number of variables of all cones, as a multiple of the number of variables in the complete chart.
 /// If the total is larger, cones do not save work.
 constexpr std::size_t most_wholes = 8;
-/// The maximum number of variables that are visited for all cones together. If this maximum is exceeded, only the
-/// complete chart is analysed.
+/// The maximum number of variable visits for the computation of all cones together. If this maximum is exceeded, only
+/// the complete chart is analysed.
 constexpr std::size_t most_visits = 4'000'000;
 constexpr std::size_t most_cones = 1000;
 
@@ -80,7 +80,7 @@ private:
     std::uint32_t next_ = 0, components_ = 0;
 };
 
-/// Returns the subject of each query as a list of variables.
+/// Returns, for each query, the variables that it concerns.
 std::vector<Numbers> subjects(const Equations& equations) {
     std::vector<Numbers> all;
     for (const Equations::StepActivity& step : equations.steps) all.push_back({step.variable.index});
@@ -107,8 +107,8 @@ std::size_t mark_cone(const Dependencies& reads, Numbers open, Cone& cone) {
     return marked;
 }
 
-/// A cone, and the variables of the cone that are stored between evolutions. These variables determine the cost of its
-/// search.
+/// A cone, and the variables of the cone that are stored between evolutions. The stored variables determine the cost of
+/// searching the cone.
 struct Candidate {
     Cone cone = {};
     Numbers kept = {};
@@ -140,7 +140,8 @@ public:
     }
 
 private:
-    using Key = std::pair<std::size_t, Numbers>;  ///< order by size, then by kept variables
+    /// Size of the cone, followed by its stored variables: orders the cones.
+    using Key = std::pair<std::size_t, Numbers>;
 
     Candidate candidate(Cone cone) const {
         Numbers kept;
@@ -152,7 +153,8 @@ private:
     /// Determines the cones of all queries. Returns false if there are too many cones, or too many variables to visit.
     bool find_all() {
         const Numbers component = reads_.components();
-        // The known cones, as sets of components: all queries about variables of one component have the same cone.
+        // The known cones, represented by the components of their variables. All variables of one component have the
+        // same cone.
         std::set<std::set<std::uint32_t>> known;
         std::size_t visits = 0;
         for (const Numbers& subject : subjects(equations_)) {
@@ -172,7 +174,7 @@ private:
         return true;
     }
 
-    /// True if the search of `large` can decide all queries of `small` at little additional cost.
+    /// True if the search of cone `large` can also decide all queries of cone `small` at little additional cost.
     static bool subsumes(const Candidate& large, const Candidate& small) {
         return 4 * large.kept.size() <= 5 * small.kept.size() && std::ranges::includes(large.kept, small.kept) &&
                contains(large.cone, small.cone);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Cones of influence: parts of equations that depend only on themselves and on inputs. The behaviour of a cone does not
-// depend on the rest of the chart, provided that the rest does not abort a run or make an instant infinite. Therefore
-// every run of the chart, restricted to the cone, is a run of the cone, and an event that is impossible in a cone is
-// impossible in the chart. A run of the cone is a run of the chart if an execution of the chart with the same inputs
-// confirms it.
+// Cones of influence: sets of variables whose equations depend only on variables of the set and on inputs. The
+// behaviour of a cone does not depend on the rest of the chart, provided that the rest does not abort a run or make an
+// instant infinite. Therefore every run of the chart, restricted to the cone, is a run of the cone, and an event that
+// is impossible in a cone is impossible in the chart. To confirm that a run of a cone is a run of the chart, the chart
+// is executed with the same inputs.
 #pragma once
 
 #include <vector>
@@ -23,7 +23,7 @@ public:
     explicit Dependencies(const Equations& equations);
 
     const std::vector<std::uint32_t>& of(std::uint32_t variable) const { return reads_[variable]; }
-    /// Returns the number of the strongly connected component of each variable.
+    /// Returns, for each variable, the number of its strongly connected component.
     std::vector<std::uint32_t> components() const;
 
 private:
@@ -31,8 +31,8 @@ private:
 };
 
 /// Returns the cones of all steps, transitions, stored variables, outputs and conflicts of forcing orders in order of
-/// increasing size, followed by the complete chart. If there are many cones, or cones do not save work because they
-/// overlap too much, the result contains only the complete chart.
+/// increasing size, followed by the complete chart. If there are too many cones, or if the cones overlap so much that
+/// they do not save work, the result contains only the complete chart.
 std::vector<Cone> cones(const Equations& equations);
 
 }  // namespace grafverif::analysis

@@ -14,9 +14,9 @@ using Variable = Equations::Variable;
 
 constexpr std::int64_t endless = std::numeric_limits<std::int64_t>::max();
 
-/// Tests, in one pass over all terms, if one variable is a counter. Call a term whose value is the variable, or the
-/// variable plus a constant, a dependent term. Dependent terms may occur only in terms whose values depend only on
-/// comparisons of the variable with constants.
+/// Tests, in one pass over all terms, if one variable is a counter. A term is called dependent if its value is the
+/// variable, or the variable plus a constant. For a counter, dependent terms occur only in comparisons with constants,
+/// in conditional terms, and in the next value of the variable.
 class Reader {
 public:
     Reader(const Equations& equations, const Equations::Stored& stored)

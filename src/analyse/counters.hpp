@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Counters: integer variables that a chart only increments, sets to constants and compares with constants. The chart
-// does not distinguish the values above the greatest of these constants; therefore the analysis represents all of them
-// by one value. With this abstraction, a chart that counts workpieces without limit has only as many states as its
-// thresholds distinguish. The abstraction does not represent that a counter leaves its range.
+// does not distinguish the values above the greatest of these constants; therefore the analysis represents all these
+// values by one value. With this abstraction, the number of states of a chart that counts workpieces without limit
+// depends only on its thresholds, not on the range of the counter. The abstraction does not represent the fault that a
+// counter leaves its range.
 #pragma once
 
 #include <optional>

@@ -33,7 +33,8 @@ std::vector<DifferenceConstraint> constraints_of(const Equations::Timer& clock, 
         else result.push_back({now, since, 1 - duration});
     };
     for (std::size_t instant = 0; instant < path.instants.size(); ++instant) {
-        if (instant > 0) {  // in the first point, the level has its value at the end of the previous instant
+        // At the first point of an instant, the level still has its value from the end of the previous instant.
+        if (instant > 0) {
             const Point& sampled = path.instants[instant].front();
             const bool ended = machine.value(sampled, clock.end) != 0;
             see(instant - 1, sampled);

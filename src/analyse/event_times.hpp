@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Event times: computes the times of the instants of a path for which all timers expire as in the path.
+// Event times: computes times for the instants of a path such that all timers expire as in the path.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@ namespace grafverif::analysis {
 /// Returns the earliest time of each instant in milliseconds, starting with 0; empty if no such times were found.
 ///
 /// The age of a watched level is the difference of two event times. Therefore a timer that has expired requires a
-/// minimum difference, and a timer that has not expired requires a maximum difference. The result is a system of
-/// difference constraints, solved by shortest paths (Bellman 1958). The method is complete except for timers with both
-/// a rise time and a fall time, whose expiry is attributed to the latest rise.
+/// minimum difference, and a timer that has not expired requires a maximum difference. These requirements form a system
+/// of difference constraints, which a shortest-path algorithm solves (Bellman 1958). The method is complete, except for
+/// timers with both a rise time and a fall time: their expiry is always attributed to the latest rise.
 std::optional<std::vector<std::int64_t>> moments(const Machine& machine, const Path& path);
 
 }  // namespace grafverif::analysis

@@ -14,7 +14,7 @@ namespace {
 
 using Kind = Chart::VariableKind;
 
-/// The maximum number of printed evolutions of a loop.
+/// The maximum number of evolutions of an endless loop that a witness trace contains.
 constexpr std::size_t reported_of_loop = 60;
 
 std::string fault_text(RunFault::Kind kind) {
@@ -110,8 +110,8 @@ private:
         if (demand.settles && !settles_) fail(instant, "the instant never ends or has a model error");
     }
 
-    /// Reports the complete instant. If the instant never ends or aborts after the end of the path, reports its
-    /// evolutions up to the end of the path.
+    /// Appends the last instant to the trace up to its end. If the instant never ends, or aborts after the end of the
+    /// path, appends only its evolutions up to the end of the path.
     void report_rest(const State& at_start, const Evolution& shown, const Fired& fired) {
         Cycle done = cycle(chart_, at_start, inputs_, mode_);
         const bool ends = problem(done).empty();
@@ -120,7 +120,7 @@ private:
         ends ? add_row("", done.fired) : add_row("in this instant", fired);
     }
 
-    /// Reports the loop on which the path ends.
+    /// Appends the endless loop of evolutions at the end of the path to the trace.
     void report_loop(std::size_t instant, const Fired& fired) {
         result_.endless = cycle(chart_, state_, inputs_, mode_).endless;
         if (result_.endless.empty()) return fail(instant, "the instant ends");

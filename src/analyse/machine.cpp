@@ -63,8 +63,8 @@ Machine::Machine(const Equations& equations, const AnalyseOptions& options, cons
 
 // -- the cone ---------------------------------------------------------------------------------------------------------
 
-/// Determines the terms that read only variables of the cone. Two passes are sufficient, because firing conditions do
-/// not read firing conditions.
+/// Determines the terms that read only variables of the cone. Two passes are sufficient, because a firing condition
+/// does not read other firing conditions.
 void Machine::search_inside() {
     std::vector<bool> known(cone_);
     for (const Equations::Firing& firing : equations_.firings) known[firing.variable.index] = false;
@@ -120,7 +120,8 @@ void Machine::add_words(const AnalyseOptions& options) {
     inputs_ = variable_set(space_, input_bits_);
 }
 
-/// Adds the bits of several variables in interleaved order, so that bits that are compared or added are neighbours.
+/// Adds the bits of several variables in interleaved order, so that bits of equal significance, which are compared or
+/// added, are adjacent.
 void Machine::add_word_bits(const std::vector<Id<Variable>>& together) {
     std::size_t most = 0;
     for (const Id<Variable> id : together) {
@@ -147,7 +148,7 @@ BddTerm Machine::before(const Expr& leaf) const {
     return word_term(id);
 }
 
-/// Returns the value of a leaf in the first evolution: no transition is cleared, and no timer has expired.
+/// Returns the value of a leaf in the first evolution, in which no transition is cleared and no timer has expired.
 BddTerm Machine::initially(const Expr& leaf) const {
     const Id<Variable> id{static_cast<std::uint32_t>(leaf.value)};
     const Variable& variable = equations_.variables[id];
@@ -225,8 +226,8 @@ void Machine::add_stored() {
     }
 }
 
-/// Returns the conditions for faults in the new value of a stored variable. Outside of `obeyed`, two forcing orders
-/// conflict; the evolution is then undefined, and no further fault is reported for this evolution.
+/// Returns the conditions for faults in the new value of a stored variable. At points outside of `obeyed`, two forcing
+/// orders conflict, so that the evolution is undefined; no further fault is reported for such an evolution.
 Machine::FaultCondition Machine::break_of(const Equations::Stored& stored, const Bdd& obeyed) {
     const Type type = equations_.variables[stored.variable].type;
     const std::optional<Counter>& counter = counters_[stored.variable.index];
@@ -264,7 +265,8 @@ void Machine::add_unwritten() {
     }
 }
 
-/// Adds the remembered values, which depend on the new values of steps and stored variables.
+/// Adds the remembered values (previous values of terms, and watched levels), which depend on the new values of steps
+/// and stored variables.
 void Machine::add_remembered() {
     std::vector<const Next*> next(equations_.variables.size());
     const auto after = [&](bool first) {
@@ -307,7 +309,7 @@ void Machine::add_timers() {
     }
 }
 
-/// Adds the conditions of stability: no transition of the part is cleared, and no other change of the part occurs that
+/// Adds the conditions of stability: no transition of the cone is cleared, and no other change occurs in the cone that
 /// the stability condition of the equations excludes.
 void Machine::add_stability() {
     for (std::size_t k = 0; k < fires_.size(); ++k)
@@ -393,10 +395,10 @@ Bdd Machine::allowed_ends(const Bdd& points) const {
     return result;
 }
 
-/// Returns the points after some time has passed. During this time, the variable that a clock watches is constant. The
-/// output of the clock becomes true only if the variable is true, and false only if the variable is false. If a clock
-/// has both a rise time and a fall time, the output from an earlier rise may end before the current rise time has
-/// elapsed.
+/// Returns the points after some time has passed and inputs have been sampled. During this time, the variable that a
+/// clock watches is constant. The output of the clock becomes true only if the variable is true, and false only if the
+/// variable is false. If a clock has both a rise time and a fall time, its output may still be true because of an
+/// earlier rise. This output may become false before the current rise time has elapsed.
 Bdd Machine::sampled(const Bdd& rest) const {
     Bdd result = rest;
     for (const Equations::Timer& clock : clocks_) {

@@ -2,10 +2,10 @@
 // Machine: the evolutions of equations as Boolean functions. A point is an assignment to the relevant variables: the
 // kept variables, which are stored between evolutions (steps, stored variables, remembered values, timer outputs), and
 // the inputs. A set of points is a Bdd over the bits `before` an evolution. A *rest* is a set of assignments to the
-// kept variables only.
+// kept variables only, without inputs.
 //
-// A machine represents one cone (see cones.hpp). The functions of the machine are undefined for elements outside of the
-// cone. A counter may be represented only up to its thresholds (see counters.hpp).
+// A machine represents one cone of influence (see cones.hpp). The functions of the machine must not be called for
+// variables outside of the cone. A counter may be represented only up to its thresholds (see counters.hpp).
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@
 
 namespace grafverif::analysis {
 
-/// An assignment to the bits of a space.
+/// An assignment to all bits of the BddSpace of a machine.
 using Point = std::vector<bool>;
 
 class Machine {
@@ -42,21 +42,21 @@ public:
 
     // -- sets of points --
 
-    /// Returns the points after the first evolution, with its inputs, if the evolution does not abort.
+    /// Returns the points after a first evolution that does not abort. The points contain the inputs of this evolution.
     const Bdd& started() const { return started_; }
     /// Returns the inputs with which the first evolution aborts.
     const Bdd& breaks_at_first() const { return breaks_at_first_; }
-    /// Returns the possible inputs.
+    /// Returns the possible inputs: the inputs that satisfy the ranges and constraints.
     const Bdd& possible() const { return possible_; }
-    /// Returns the points in `points` whose evolution changes nothing except levels that timers watch.
+    /// Returns the points in `points` that are stable: their evolution changes nothing except levels that timers watch.
     Bdd stable(const Bdd& points) const;
     /// Returns the points in `points` whose evolution does not abort: it has no race, and no value that is undefined or
     /// out of range.
     Bdd unbroken(const Bdd& points) const;
     /// Returns the points in `points` that are not stable and whose evolution does not abort.
     Bdd transient(const Bdd& points) const;
-    /// Returns the points in `points` at which no counter exceeds its represented values, so that the abstraction is
-    /// exact.
+    /// Returns the points in `points` at which no counter exceeds its represented values, so that the abstraction of
+    /// counters is exact.
     Bdd followed(const Bdd& points) const;
     /// Returns the rest (set of kept values) of `points` at the end of their instant, with the final values of
     /// watched levels and previous values. Requires that the points are stable and that their evolutions do not abort.
@@ -64,24 +64,25 @@ public:
     /// True if a stable evolution may change a kept value: a watched level or a previous value.
     bool remembers() const { return remembers_; }
 
-    /// Returns the successors of `points` by one evolution, with their inputs. Requires that no evolution aborts.
+    /// Returns the successors of `points` after one evolution, with unchanged inputs. Requires that no evolution from
+    /// `points` aborts.
     Bdd evolved(const Bdd& points) const;
     /// Returns rest(evolved(points)) at lower cost.
     Bdd evolved_rest(const Bdd& points) const;
     /// Returns the points in `points` whose evolution leads to the kept values of `next`.
     Bdd origins(const Bdd& points, const Point& next) const;
-    /// Returns all points whose evolution leads to a point of `points` with the same inputs. If `points` is a rest,
-    /// their evolution leads to a point in this rest.
+    /// Returns all points whose evolution leads to a point of `points` with the same inputs. `points` may also be a
+    /// rest; then the inputs after the evolution are arbitrary.
     Bdd origins(const Bdd& points) const { return relation_->preimage(points); }
     Bdd with_inputs_of(const Bdd& points, const Point& other) const;
     /// Returns `points` without their inputs.
     Bdd rest(const Bdd& points) const { return exists(points, inputs_); }
-    /// Returns the points that a rest can become after some time, with newly sampled inputs.
+    /// Returns the points that can follow the assignments of `rest` after some time, with newly sampled inputs.
     Bdd sampled(const Bdd& rest) const;
-    /// Returns the assignments to kept variables that can become one of `points` after some time, with newly sampled
+    /// Returns the assignments to kept variables that one of `points` can follow after some time, with newly sampled
     /// inputs.
     Bdd before_time(const Bdd& points) const;
-    /// Returns the states of `rest` that can become `next` after some time.
+    /// Returns the assignments of `rest` that the point `next` can follow after some time.
     Bdd origins_in_time(const Bdd& rest, const Point& next) const;
 
     // -- conditions on points, over the variables before their evolution --
@@ -90,22 +91,24 @@ public:
     const Bdd& active(std::size_t step) const { return value_of_step_[step]; }
     const Bdd& fires(std::size_t firing) const { return fires_[firing]; }
     struct FaultCondition {
-        Id<Equations::Variable> variable = {};  ///< invalid for faults in conditions
+        /// Variable whose new value has the fault; invalid for faults in conditions.
+        Id<Equations::Variable> variable = {};
         Bdd race = {}, out_of_range = {}, no_value = {};
         /// Faults in the first evolution, as sets of inputs.
         Bdd first_race = {}, first_out_of_range = {}, first_no_value = {};
-        Bdd beyond = {};        ///< the points at which a counter exceeds its represented values
+        Bdd beyond = {};        ///< points at which the counter exceeds its represented values
         std::int64_t safe = 0;  ///< number of evolutions in which the counter remains in its range
     };
     const std::vector<FaultCondition>& all_breaks() const { return all_breaks_; }
-    /// Returns, for each element of Equations::conflicts, the points at which this conflict aborts the evolution.
+    /// Returns, for each element of Equations::conflicts, the points at which this conflict of forcing orders aborts
+    /// the evolution.
     const std::vector<Bdd>& conflicts() const { return conflicts_; }
-    /// Returns `points` with arbitrary timer outputs.
+    /// Returns the set of points that differ from a point in `points` at most in timer outputs.
     Bdd without_ends(const Bdd& points) const;
-    /// Returns the points at which the evolution changes the variable. A counter that exceeds its represented values
-    /// also changes.
+    /// Returns the points whose evolution changes the variable. A counter that exceeds its represented values is
+    /// assumed to change.
     Bdd changes(Id<Equations::Variable> variable) const;
-    /// True if the points of this machine contain a value of the variable.
+    /// True if the points of this machine assign a value to the variable.
     bool matters(Id<Equations::Variable> variable) const { return matters_[variable.index]; }
     /// Returns the points after an evolution at which a term over the variables has a value other than `value`.
     Bdd differs(Id<Expr> term, std::int64_t value);
@@ -121,7 +124,8 @@ public:
 private:
     struct KeptBit {
         std::uint32_t before = 0;
-        /// The value of the bit after an evolution, and after the first evolution as a function of the inputs.
+        /// The value of the bit after an evolution (`next`), and its value after the first evolution as a function of
+        /// the inputs (`first`).
         Bdd next = {}, first = {};
     };
     /// The next value of a kept variable.
@@ -172,10 +176,11 @@ private:
     bdd::Relation::Quantified kept_quantified_ = {}, all_quantified_ = {};
     std::vector<FaultCondition> all_breaks_ = {};
     std::vector<Bdd> conflicts_ = {};
-    /// The conjuncts of stability, and the conjuncts of the condition that an evolution does not abort.
+    /// `calm_`: the conjuncts of the stability condition. `sound_`: the conjuncts of the condition that an evolution
+    /// does not abort.
     std::vector<Bdd> calm_ = {}, sound_ = {};
     std::vector<std::uint32_t> input_bits_ = {}, kept_bits_ = {};
-    Bdd inputs_ = {};  ///< the inputs as variables to quantify
+    Bdd inputs_ = {};  ///< set of the input variables, for quantification
     Bdd possible_ = {}, started_ = {}, breaks_at_first_ = {};
     std::optional<BddTerms> terms_ = {};
     std::optional<BddTerms> first_terms_ = {};  ///< terms over initial values, for the first evolution

@@ -98,12 +98,12 @@ private:
     const std::vector<Equations::Timer>& timers_;
     Reads reads_;
     std::vector<bool> marks_;
-    std::vector<Id<Expr>> values_;  ///< for each variable: its next value if it is a term, otherwise invalid
+    std::vector<Id<Expr>> values_;  ///< for each variable: the term of its next value; invalid if there is no such term
     std::vector<std::uint32_t> pending_ = {};
 };
 
-/// Shortens the distances between related variables in `order` (heuristic FORCE). Each variable, together with all
-/// variables that its next value reads, is a hyperedge.
+/// Returns `order`, changed by the heuristic FORCE so that the distances between related variables are shorter. Each
+/// variable, together with all variables that its next value reads, is a hyperedge.
 std::vector<Id<Variable>> drawn_together(const Equations& equations, const std::vector<Id<Variable>>& order) {
     // Maximum number of variables for which the order is improved. For more variables, this computation would take
     // longer than a search.
@@ -142,8 +142,8 @@ std::vector<std::uint32_t> integer_groups(const Equations& equations) {
         while (first[variable] != variable) variable = first[variable] = first[first[variable]];
         return variable;
     };
-    // For each integer term: one integer variable on which its value depends; none for all other terms, or if there is
-    // no such variable.
+    // For each integer term: one integer variable on which its value depends, or `none` if the value depends on no
+    // integer variable. For all other terms: `none`.
     constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> made_of(equations.exprs.size(), none);
     for (std::uint32_t term = 0; term < equations.exprs.size(); ++term) {
@@ -183,7 +183,8 @@ std::vector<bool> variables_that_matter(const Equations& equations) {
     for (const Fault& fault : faults(equations))
         for (const Id<Expr> condition : {fault.condition, fault.first})
             if (condition.valid()) marks.mark(condition);
-    // A stored value may be out of range or undefined, unless it is a Boolean constant.
+    // Unless a stored value is a Boolean constant, it may be out of range or undefined. Therefore the terms of such
+    // writes are marked.
     for (const Equations::Stored& stored : equations.stored)
         for (const Equations::Write& write : stored.writes)
             if (!is_constant(equations.exprs[write.value].op)) marks.mark(write.value);

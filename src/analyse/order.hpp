@@ -8,10 +8,11 @@
 
 namespace grafverif::analysis {
 
-/// Returns the variables that `wanted` marks, each once, beginning with the topmost. The initial order follows the
-/// transitions in the chart: each variable is at the position of its first read or write. The initial order is then
-/// improved with the dependencies of the next values (FORCE: Aloul, Markov, Sakallah 2003), if this reduces the total
-/// distance of related variables. Integers that one term reads are adjacent, so that their bits can be interleaved.
+/// Returns the variables that `wanted` marks, each once, beginning with the topmost variable of the diagrams. The
+/// initial order follows the transitions in the chart: each variable is at the position of its first read or write. The
+/// initial order is then improved with the dependencies of the next values (FORCE: Aloul, Markov, Sakallah 2003), if
+/// this reduces the total distance of related variables. Integers that one term reads are adjacent, so that their bits
+/// can be interleaved.
 std::vector<Id<Equations::Variable>> variable_order(const Equations& equations, const std::vector<bool>& wanted);
 
 /// Returns groups of integers that are compared or combined with each other: for each variable, the first variable of

@@ -9,7 +9,7 @@ namespace grafverif::analysis {
 
 namespace {
 
-/// True if some term of the table may be undefined.
+/// True if some term of the table contains arithmetic, so that its value may be undefined.
 bool any_arithmetic(const Exprs& exprs) {
     for (std::uint32_t term = 0; term < exprs.size(); ++term)
         if (is_arithmetic(exprs[Id<Expr>{term}].op)) return true;

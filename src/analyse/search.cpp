@@ -59,8 +59,8 @@ Bdd PathSearch::first() const {
     return all;
 }
 
-/// An evolution with constant inputs is a function. Since the number of points is finite, an infinite path reaches a
-/// cycle. All points of a cycle are reached in the same instant.
+/// Correctness: an evolution with constant inputs is a function. Since the number of points is finite, an infinite path
+/// within an instant reaches a cycle of points. All points of a cycle are reached in the same instant.
 Bdd PathSearch::endless(const Bdd& within) const {
     if (mode_ == ExecutionMode::EveryCycle) return {};
     Bdd now = within;
@@ -71,8 +71,8 @@ Bdd PathSearch::endless(const Bdd& within) const {
     return now;
 }
 
-/// Returns a path within an instant, which ends in `last`. The path is constructed backwards from ring `ring` to the
-/// first ring.
+/// Returns a path within an instant that ends in `last`. The path is constructed backwards, from ring `ring` to the
+/// first ring of the instant.
 std::vector<Point> PathSearch::back_through(const Instant& instant, std::size_t ring, const Point& last) const {
     return bdd::path_back(ring - instant.first, last, [&](std::size_t before, const Point& next) {
         const Bdd transient = machine_.transient(rings_.each[instant.first + before]);

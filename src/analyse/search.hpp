@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Breadth-first search of all points, one instant after another, and of shortest paths to them.
+// Searches all reachable points breadth-first, one instant after another, and computes shortest paths to points.
 #pragma once
 
 #include <cstddef>
@@ -13,23 +13,24 @@
 
 namespace grafverif::analysis {
 
-/// The instants with the same number in all runs. The points of these instants that no earlier instant contains are
-/// grouped into rings by the number of preceding evolutions. `rest` contains the new rests at the ends of the instants.
-/// In every_cycle mode, the first instant has no points, because it consists only of the first evolution.
+/// All instants with the same number, over all runs. The points of these instants that no earlier instant contains are
+/// grouped into rings by the number of preceding evolutions. `rest` contains the new assignments to kept variables at
+/// the ends of the instants. In every_cycle mode, the first instant has no points, because it consists only of the
+/// first evolution.
 struct Instant {
     std::size_t first = 0, end = 0;  ///< range [first, end) of the rings of this instant
     Bdd rest = {};
 };
 
-/// Returns a set between `fresh` and `fresh | known` with a small diagram, for operations that allow known points to be
-/// added.
+/// Returns a set with a small diagram that contains `fresh` and possibly some points of `known`. The result is used in
+/// operations whose result does not depend on known points.
 Bdd widened(const Bdd& fresh, const Bdd& known);
 
-/// A run to a point.
+/// A run of the machine that ends at a point.
 struct Path {
-    /// The points of each instant, each before an evolution; the last point is the end of the path. In the first
-    /// instant, the first evolution precedes all points. In every_cycle mode, the first evolution is the complete first
-    /// instant, whose point contains only the inputs.
+    /// The points of each instant, in their order; each point precedes an evolution, and the last point is the end of
+    /// the path. In the first instant, the first evolution precedes all points. In every_cycle mode, the first
+    /// evolution is the complete first instant, whose point contains only the inputs.
     std::vector<std::vector<Point>> instants = {};
     bool at_first = false;  ///< true if the path ends before the first evolution: its only point contains the inputs
 };
@@ -40,7 +41,7 @@ public:
     PathSearch(const Machine& machine, ExecutionMode mode, bool landings = true)
         : machine_(machine), mode_(mode), lands_(landings) {}
 
-    /// True if all points are found.
+    /// True if the search has found all reachable points.
     bool done() const { return !instants_.empty() && instants_.back().rest.is_false(); }
     /// Finds the points of the next instant. May throw BddExhausted; the points that are already found are kept.
     void next();
@@ -62,8 +63,8 @@ public:
     const std::vector<Bdd>& rings() const { return rings_.each; }
     /// Returns the points of the first instant.
     Bdd first() const;
-    /// Returns the points in `goal` with the smallest distance. Each shortest path to `goal` leads to one of these
-    /// points.
+    /// Returns the points in `goal` with the smallest distance from power-on. Each shortest path to `goal` leads to one
+    /// of these points.
     Bdd nearest(const Bdd& goal) const;
     /// Returns a shortest path to a point of `goal`, or nothing if the search has found no point of `goal`.
     std::optional<Path> path_to(const Bdd& goal) const;
@@ -72,7 +73,8 @@ private:
     void first_instant();
     void make_instant(Bdd points);
     std::vector<Point> back_through(const Instant& instant, std::size_t ring, const Point& last) const;
-    /// Returns the last point of `instant`, with its ring, such that the instant ends with the kept values of `next`.
+    /// Returns a point at which `instant` ends, with its ring, such that `next` can follow this point after some time.
+    /// Returns nothing if there is no such point.
     std::optional<std::pair<std::size_t, Point>> end_of(const Instant& instant, const Point& next) const;
 
     const Machine& machine_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Structural analysis of a chart, without a search of its situations.
+// Analyses the structure of a chart, without a search of its situations.
 #pragma once
 
 #include <string>
@@ -18,8 +18,8 @@ std::vector<bool> variables_read(const Equations& equations);
 /// the last order forces the partial chart that contains the step of the first order.
 std::vector<std::vector<Id<Chart::ForcingOrder>>> forcing_cycles(const Chart& chart);
 
-/// Returns the forcing orders on partial charts that an enclosing step also controls, together with this step. The step
-/// encloses the partial chart itself or a chart that contains it.
+/// Returns the forcing orders on partial charts whose activity an enclosing step also controls, together with this
+/// step. The step encloses the forced partial chart itself, or a chart that contains it.
 std::vector<std::pair<Id<Chart::ForcingOrder>, Id<Chart::Step>>> orders_on_enclosed(const Chart& chart);
 
 /// Returns the partial chart that a forcing order of the conflict forces, or an empty string if the order is not found.

@@ -31,8 +31,8 @@ Bdd TerminalRegions::before(const Bdd& points) const {
     return (transient_ & machine_.origins(points)) | (ends_ & (machine_.remembers() ? machine_.origins(rest) : rest));
 }
 
-/// Adds to `all` the points that `step` reaches from `fresh` within an instant. The sets remain small, because each
-/// instant is computed separately.
+/// Adds to `all` the points that repeated application of `step` reaches from `fresh` within an instant. Each instant is
+/// computed separately, because this keeps the diagrams small.
 template <class Step>
 Bdd TerminalRegions::instant_of(Bdd fresh, Bdd& all, const Step& step) const {
     if (mode_ == ExecutionMode::EveryCycle) return fresh;
@@ -70,9 +70,9 @@ std::vector<Bdd> TerminalRegions::rings_from(const Bdd& points) const {
     return rings;
 }
 
-/// A single region is frequent, because most charts return to their initial situation. Assume that each rest of the
-/// first instant leads to every other rest of this instant, and that all points lead to one of these rests. Then all
-/// points after this instant form one region. In this case, no forward search is necessary.
+/// Most charts return to their initial situation, so that they have a single terminal region. Assume that each rest
+/// (assignment to kept variables) of the first instant leads to every other rest of this instant, and that all points
+/// lead to one of these rests. Then all points after this instant form one region, and no forward search is necessary.
 std::optional<Bdd> TerminalRegions::single_region(const Bdd& among) const {
     Bdd starts = first_ & ends_;
     if (mode_ == ExecutionMode::EveryCycle || starts.is_false()) return {};
@@ -91,9 +91,9 @@ std::optional<Bdd> TerminalRegions::single_region(const Bdd& among) const {
     return all;
 }
 
-/// Points that were found late are more likely to be in a terminal region. Therefore, the search starts from one of the
-/// points that were found last. If some points that are reachable from the start point do not lead back to it, the
-/// search continues from the farthest of these points.
+/// Heuristic: points that the search found late are more likely to be in a terminal region. Therefore, the search
+/// starts from one of the points that were found last. If some points that are reachable from the start point do not
+/// lead back to it, the search continues from the farthest of these points.
 std::vector<Bdd> TerminalRegions::regions(Bdd among, std::size_t most) const {
     if (among == reached_)
         if (const auto only = single_region(among)) return {*only};

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Forward and backward reachability between sets of points, over all points that a search has found, and terminal
-// regions. A terminal region is a set of points that no run leaves and in which each point is reachable from every
-// other point.
+// Computes forward and backward reachability between sets of points, over all points that a search has found, and
+// terminal regions. A terminal region is a set of points that no run leaves and in which each point is reachable from
+// every other point.
 //
-// An evolution that aborts has no successor, so that its point would be a separate region. Therefore, regions are
+// A point whose evolution aborts has no successor, so that it would be a separate region. Therefore, regions are
 // determined only among the points from which no run aborts.
 #pragma once
 
@@ -33,11 +33,11 @@ public:
     Bdd from(const Bdd& points) const { return rings_from(points).back(); }
     /// Returns the points from which `points` is reachable, including `points`.
     Bdd to(const Bdd& points) const;
-    /// Returns at most `most` terminal regions of runs from `among`. No run may leave `among`. If the result has fewer
-    /// than `most` regions, it contains all terminal regions.
+    /// Returns at most `most` terminal regions that runs from `among` can enter. Requires that no run leaves `among`.
+    /// If the result has fewer than `most` regions, it contains all terminal regions.
     std::vector<Bdd> regions(Bdd among, std::size_t most) const;
-    /// Returns the points in `within` from which a run stays in `within` and visits `often` infinitely often. No run
-    /// may enter `within` again after leaving it.
+    /// Returns the points in `within` from which some run stays in `within` and visits `often` infinitely often.
+    /// Requires that no run that leaves `within` enters it again.
     Bdd recurring(Bdd within, const Bdd& often) const;
 
 private:

@@ -3,15 +3,15 @@
 // and Bryant 1990).
 //
 // A BddSpace owns variables, nodes and memory. Several spaces may exist; each space must be used by only one thread at
-// a time. Variables are added at the bottom of the order and keep their positions unless reordering is requested. The
-// caller therefore determines the order; the order determines the number of nodes, and hence the cost of operations.
+// a time. Variables are added at the bottom of the order and keep their positions unless reordering is requested.
+// Therefore the caller determines the order, which determines the number of nodes and the cost of operations.
 //
 // A Bdd is a handle of a function. Handles of equal functions are equal, and copying a handle is cheap. A handle refers
-// to its space. Constants do not belong to a space and can be combined with handles of every space. All handles and
-// renamings of a space must be destroyed before the space.
+// to its space. The constants true and false do not belong to a space and can be combined with handles of every space.
+// All handles and renamings of a space must be destroyed before the space.
 //
 // Every operation throws BddExhausted if a limit of the space is reached, an allocation fails, or the stop flag is set.
-// The stop flag is detected within milliseconds. By convention, the function that created the space catches the
+// Operations detect the stop flag within milliseconds. By convention, the function that created the space catches the
 // exception and returns the result `unknown`. After the exception, all handles denote the same functions as before.
 #pragma once
 
@@ -59,7 +59,7 @@ struct Kernel;
 
 class Bdd {
 public:
-    Bdd() = default;  ///< the constant false
+    Bdd() = default;  ///< creates the constant false
     Bdd(const Bdd& other) : kernel_(other.kernel_), edge_(other.edge_) { hold(); }
     Bdd(Bdd&& other) noexcept : kernel_(std::exchange(other.kernel_, nullptr)), edge_(std::exchange(other.edge_, 0)) {}
     Bdd& operator=(const Bdd& other) {
@@ -122,8 +122,8 @@ public:
     std::size_t variables() const;
     Bdd variable(std::uint32_t index) const;
 
-    std::uint64_t nodes() const;  ///< number of nodes in use, including garbage
-    std::uint64_t bytes() const;  ///< memory allocated for nodes, tables and cache, in bytes
+    std::uint64_t nodes() const;  ///< returns the number of nodes in use, including garbage
+    std::uint64_t bytes() const;  ///< returns the memory allocated for nodes, tables and cache, in bytes
     /// Returns the number of operation steps so far: a measure of work that does not depend on the speed of the
     /// processor.
     std::uint64_t work() const;
@@ -139,11 +139,11 @@ public:
     /// Searches for a variable order with fewer nodes. The search ends early if it would need more memory than the
     /// limit. All handles keep their functions.
     void reorder();
-    /// Enables automatic reordering: an operation first reorders if more than `nodes` nodes are in use, and again
-    /// whenever the number of nodes has doubled. The value 0 (the default) disables automatic reordering.
+    /// Enables automatic reordering: before an operation, the space is reordered if more than `nodes` nodes are in use,
+    /// and again whenever the number of nodes has doubled. The value 0 (the default) disables automatic reordering.
     void reorder_above(std::uint64_t nodes);
 
-    /// Only for the implementation.
+    /// Used only by the implementation.
     bdd::Kernel& kernel() const { return *kernel_; }
 
 private:
@@ -163,7 +163,7 @@ Bdd implies(const Bdd& f, const Bdd& g);
 Bdd iff(const Bdd& f, const Bdd& g);
 Bdd ite(const Bdd& condition, const Bdd& then, const Bdd& otherwise);
 
-/// A variable with a sign.
+/// A variable or its negation.
 struct BddLiteral {
     std::uint32_t variable = 0;
     bool value = true;
@@ -172,15 +172,14 @@ struct BddLiteral {
 
 /// Returns the conjunction of the literals; the constant true if `literals` is empty.
 Bdd cube(const BddSpace& space, std::span<const BddLiteral> literals);
-/// Returns the conjunction of the variables. This function represents the set of variables as an argument of `exists`
-/// and `and_exists`.
+/// Returns the conjunction of the variables, which represents a set of variables as an argument of `exists` and
+/// `and_exists`.
 Bdd variable_set(const BddSpace& space, std::span<const std::uint32_t> variables);
 
 Bdd exists(const Bdd& f, const Bdd& variables);
 /// Returns exists(f & g, variables) without computing f & g: the relational product.
 Bdd and_exists(const Bdd& f, const Bdd& g, const Bdd& variables);
-/// Returns the cofactor of f for the literals of the cube. The result is a function that does not depend on the
-/// variables of the cube.
+/// Returns the cofactor of f: f with the variables of the cube replaced by the values that the cube gives them.
 Bdd cofactor(const Bdd& f, const Bdd& cube);
 /// Returns a function that equals f for all assignments that satisfy `care`, and that has few nodes if possible
 /// (Coudert and Madre 1990). Requires that `care` is not false.
@@ -200,7 +199,7 @@ public:
     /// variable is also the first variable of a pair.
     Bdd operator()(const Bdd& f) const;
 
-    struct Map;  ///< only for the implementation
+    struct Map;  ///< used only by the implementation
 
 private:
     std::unique_ptr<Map> map_;

@@ -3,7 +3,7 @@
 // Blocks, so that the memory limit is exact. If growing a block would exceed the limit, or if the system refuses
 // memory, the block is unchanged and an error is returned.
 //
-// A block is resized in place or moved as a unit. Moving a large block needs no second copy of its memory, because the
+// A block is resized in place or moved as a unit. Moving a large block does not copy its memory, because the operating
 // system remaps the pages.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace grafverif::bdd {
 
-/// Memory limit and memory use, in bytes.
+/// The memory limit and the current memory use, in bytes.
 struct Budget {
     std::uint64_t limit = 0, used = 0;
 

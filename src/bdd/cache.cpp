@@ -22,7 +22,8 @@ bool Cache::grow(InterruptPoll& watch) {
             clear(watch);
             return true;
         }
-        for (std::size_t i = before; i-- > 0;) {  // from the last to the first, because entry i moves to 2i or 2i + 1
+        // From the last entry to the first, because entry i moves to slot 2i or 2i + 1.
+        for (std::size_t i = before; i-- > 0;) {
             watch.step();
             const Entry moved = entries_[i];
             entries_[2 * i] = entries_[2 * i + 1] = {};
@@ -35,7 +36,7 @@ bool Cache::grow(InterruptPoll& watch) {
     return true;
 }
 
-/// Removes all entries after an interrupted clearing or growth.
+/// Removes all entries after an interruption of `clear` or `grow`.
 void Cache::shrink_to_nothing() {
     size_ = std::min(size_, first_size);
     shift_ = static_cast<unsigned>(64 - std::countr_zero(size_));

@@ -3,9 +3,9 @@
 // result replaces any earlier result in the same slot. All operations share one table, which grows with the number of
 // nodes.
 //
-// A garbage collection keeps an entry if it keeps all nodes to which the entry refers. Two unused bits of each of the
-// first two operand edges encode the operation. An entry whose bits are all zero is empty. No stored result has this
-// form, because the cache is not used for operations whose first operand is constant.
+// A garbage collection keeps a cache entry if it keeps all nodes to which the entry refers. Two unused bits of each of
+// the first two operand edges encode the operation. An entry whose bits are all zero is empty. No stored result is zero
+// in all bits, because the cache is not used for operations whose first operand is constant.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ enum class Operation : std::uint32_t {
     AndExists,
     Cofactor,
     Simplify,
-    Rename  ///< the third operand is the number of a renaming, not an edge
+    Rename  ///< the third operand of the entry is the number of a renaming, not an edge
 };
 
 class Cache {
@@ -58,7 +58,7 @@ public:
         std::uint32_t h = 0;
         Edge result = 0;
     };
-    /// Returns the entry of a slot; the slot is empty if `f` of the result is 0.
+    /// Returns the entry of a slot. If the member `f` of the result is 0, the slot is empty.
     CachedResult known(std::size_t slot) const;
 
 private:
@@ -80,7 +80,7 @@ private:
     void shrink_to_nothing();
 
     Block<Entry> entries_;
-    std::size_t size_ = 0;  ///< a power of two; the block may be larger
+    std::size_t size_ = 0;  ///< number of slots, a power of two; the block may be larger
     unsigned shift_ = 63;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Garbage collection: marks the nodes that are reachable from handles, frames and the edges in `spared`, removes cache
-// entries of unmarked nodes, and frees unmarked nodes. The nodes to mark form a list through `next`, so that marking
-// needs neither a stack nor memory. The sweep rebuilds the hash chains.
+// entries of unmarked nodes, and frees unmarked nodes. The nodes to mark are linked in a list by their members `next`,
+// so that marking needs neither a stack nor additional memory. The sweep rebuilds the hash chains.
 //
 // A collection can be interrupted at any time. Before the sweep, an interruption has no effect, because garbage nodes
 // are valid nodes. If the sweep is interrupted, the marks are kept, and the next operation completes the sweep.
@@ -57,8 +57,9 @@ void relink(Kernel& kernel) {
         table.buckets[bucket] = 0;
     }
     table.free = 0;
-    std::uint32_t in_use = 1;                       // the constant is always in use
-    for (std::uint32_t n = table.used; n-- > 1;) {  // in this order, small indices are reused first
+    std::uint32_t in_use = 1;  // the constant is always in use
+    // Descending, so that free nodes with small indices are reused first.
+    for (std::uint32_t n = table.used; n-- > 1;) {
         kernel.watch.step();
         Node& node = table.nodes[n];
         if (node.level == free_level || (table.sweeping && !table.marked(n))) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Computes conjunction, exclusive or and if-then-else. Complement edges provide all other connectives: a disjunction is
 // a complemented conjunction of complements, and an equivalence is a complemented exclusive or. Connectives that are
-// computed by the same operation share its cache entries. Calls are normalized first, so that equivalent calls have one
-// cache entry.
+// computed by the same operation share the cache entries of this operation. Calls are normalized first, so that
+// equivalent calls have one cache entry.
 #include <algorithm>
 #include <utility>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Exact counting of satisfying assignments, bottom-up. A number has up to one bit per variable; therefore its memory is
-// charged to the space. Each number is freed after its last use.
+// Counts satisfying assignments exactly, bottom-up. Numbers of assignments can be large, with one bit per variable;
+// therefore their memory is charged to the space. Each number is freed after its last use.
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cassert>
@@ -38,7 +38,7 @@ public:
         const std::vector<std::uint32_t> nodes = bdd::nodes_of(kernel_, root);
         counts_.reserve(nodes.size());
         for (const std::uint32_t n : nodes) {
-            ++counts_[n].parents;  // the additional 1 (see Count)
+            ++counts_[n].parents;  // the additional 1 in Count::parents
             meet(kernel_.table.nodes[n].low);
             meet(kernel_.table.nodes[n].high);
         }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Explicit-stack recursion for BDD operations. An operation splits its operands at their topmost level, processes both
-// cofactors and combines the results. Known results are read from the cache. Pending calls are stored as frames in the
-// kernel of the BDD space. Therefore, the depth of the native stack is constant, garbage collection finds all operands
-// that are in use, and an operation is cancelled by removing its frames.
+// Executes the recursion of BDD operations with an explicit stack. An operation splits its operands at their topmost
+// level, processes both cofactors and combines the results. Known results are read from the cache. Pending calls are
+// stored as frames in the kernel of the BDD space. Therefore, the depth of the native stack is constant, garbage
+// collection finds all operands that are in use, and an operation is cancelled by removing its frames.
 //
 // A Rule defines one operation:
 //   Operation operation             cache key
@@ -14,8 +14,9 @@
 //   Call low(Kernel&, Frame), high(Kernel&, Frame)
 //   bool enough(Kernel&, Frame, Edge& low)      true if the low branch determines the result, which it stores in `low`
 //   Edge join(Kernel&, Frame, Edge high)        combines the results of both branches; the frame is still on the stack
-// `terminal_case` and `join` may run other operations on edges that frames contain. They must pass each result of such
-// an operation directly to the next operation, because no frame protects this result from a garbage collection.
+// `terminal_case` and `join` may run other operations on edges that frames contain. `terminal_case` and `join` must
+// pass each result of such an operation directly to the next operation, because no frame protects this result from a
+// garbage collection.
 #pragma once
 
 #include "bdd/kernel.hpp"
@@ -26,7 +27,7 @@ struct Call {
     Edge f = 0, g = 0, h = 0;
 };
 
-/// Default members of a rule for two or three operands that all branch at the same level.
+/// Default functions of a Rule whose two or three operands all branch at the same level.
 struct Branching {
     static Call low(const Kernel& kernel, const Frame& at) {
         return {kernel.low(at.f, at.level), kernel.low(at.g, at.level), kernel.low(at.h, at.level)};
@@ -54,7 +55,7 @@ Edge run(Kernel& kernel, const Rule& rule, Call call) {
             }
         }
         result ^= static_cast<Edge>(flip);
-        for (;;) {  // continues with the topmost frame that has a pending branch
+        for (;;) {  // each iteration continues the topmost frame that has a pending branch
             if (kernel.frames.size() == base) return result;
             Frame& waiting = kernel.frames.top();
             if (!waiting.has_low && !rule.enough(kernel, waiting, result)) {

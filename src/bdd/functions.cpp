@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Public operations. Each function handles terminal cases first, so that operations on constants do not need a space.
+// Implements the public operations. Each function handles terminal cases first, so that operations on constants do not
+// need a space.
 #include <algorithm>
 #include <cassert>
 
@@ -12,7 +13,7 @@ namespace {
 using bdd::Edge;
 using bdd::Kernel;
 
-/// Returns the space of the operands, or null if all are constants.
+/// Returns the kernel of the operands, or null if all operands are constants.
 Kernel* kernel_of(std::initializer_list<const Bdd*> operands) {
     Kernel* kernel = nullptr;
     for (const Bdd* operand : operands) {
@@ -22,7 +23,7 @@ Kernel* kernel_of(std::initializer_list<const Bdd*> operands) {
     return kernel;
 }
 
-/// Returns the result of `work`, which creates nodes.
+/// Executes the operation `work`, which creates nodes, and returns a handle of its result.
 template <class Work>
 Bdd result_of(Kernel* kernel, const Work& work) {
     assert(kernel != nullptr);
@@ -68,14 +69,15 @@ Bdd cube(const BddSpace& space, std::span<const BddLiteral> literals) {
         assert(literal.variable < order.size());
         sorted.emplace_back(order.level_of[literal.variable], literal.value);
     }
-    std::ranges::sort(sorted, std::ranges::greater{});  // the order is bottom-up, so that each literal adds one node
+    // The cube is built bottom-up, so that each literal adds one node.
+    std::ranges::sort(sorted, std::ranges::greater{});
     sorted.erase(std::ranges::unique(sorted).begin(), sorted.end());
     if (sorted.empty()) return Bdd::constant(true);
     return result_of(&space.kernel(), [&](Kernel& k) {
         Edge result = bdd::true_edge;
         for (std::size_t i = 0; i < sorted.size(); ++i) {
             const auto [level, value] = sorted[i];
-            // False if both literals of one variable are present.
+            // The cube is false if it contains a variable and its negation.
             if (i > 0 && sorted[i - 1].first == level) return bdd::false_edge;
             result =
                 value ? bdd::make(k, level, bdd::false_edge, result) : bdd::make(k, level, result, bdd::false_edge);

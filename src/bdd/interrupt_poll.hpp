@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Polls the stop flag, the deadline and the work limit every N operations. The cost of polling is negligible. The poll
-// detects the stop flag soon after it is set, because one operation step takes far less than a microsecond.
+// Polls the stop flag, the deadline and the work limit once in a fixed number of operation steps, so that the cost of
+// polling is negligible. The poll detects the stop flag soon after it is set, because one operation step takes far less
+// than a microsecond.
 #pragma once
 
 #include <cstdint>

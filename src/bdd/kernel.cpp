@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Allocation of nodes. A small table that is full is doubled, because a garbage collection would only delay the growth.
-// In a larger table, garbage is collected first, and the table is doubled if fewer than half of its nodes are free. If
-// the table cannot grow and the collection frees less than a sixteenth of the nodes, the operation fails with an error,
-// because further collections would be repeated without progress.
+// Allocates nodes. A small table that is full is doubled, because a garbage collection would only delay the growth. In
+// a larger table, garbage is collected first, and the table is doubled if fewer than half of its nodes are free. If the
+// table cannot grow and the collection frees less than a sixteenth of the nodes, the operation fails with an error.
+// Without this rule, the operation would repeat collections with little progress.
 #include "bdd/kernel.hpp"
 
 #include <algorithm>
@@ -17,8 +17,8 @@ constexpr std::uint32_t marks_per_word = 64;
 
 [[noreturn]] void out_of_memory() { throw BddExhausted(BddExhausted::Cause::Memory); }
 
-/// Enlarges the blocks for `capacity` nodes, and initializes the new entries of those blocks whose entries need an
-/// initial value. Returns false if the memory is not available.
+/// Enlarges the blocks so that they can store `capacity` nodes. Initializes the new entries of those blocks whose
+/// entries need an initial value. Returns false if the memory is not available.
 bool has_blocks(Kernel& kernel, std::uint32_t capacity) {
     NodeTable& table = kernel.table;
     const auto at_least = [](auto& block, std::size_t size) { return block.size() >= size || block.resize(size); };
@@ -78,7 +78,8 @@ bool grow(Kernel& kernel) {
     add_buckets(kernel);
     if (table.buckets.size() == 0) return false;
     if (table.stale) relink(kernel);
-    // A larger cache would have slightly more hits, but would not fit into the processor cache.
+    // The size is limited, because a larger cache would have only slightly more hits, and would not fit into the
+    // processor cache.
     while (kernel.cache.size() < table.capacity / 2 && kernel.cache.grow(kernel.watch)) {
     }
     return kernel.cache.size() != 0;

@@ -5,7 +5,7 @@
 // operations that create no nodes.
 //
 // The creation of a node may collect garbage or throw BddExhausted. Therefore each edge that an operation still needs
-// must be in one of its frames or be an argument of `make`. The operands of the operation itself are protected by
+// must be in one of its frames or be an argument of `make`. The operands of a public operation are protected by
 // handles.
 #pragma once
 
@@ -22,11 +22,11 @@ namespace grafverif::bdd {
 struct Frame {
     Edge f = 0, g = 0, h = 0;            ///< operands of the call
     Edge low = 0;                        ///< result of the low branch, valid if `has_low`
-    std::uint32_t level = 0;             ///< branching level
+    std::uint32_t level = 0;             ///< level at which the operation splits its operands
     bool has_low = false, flip = false;  ///< `flip` is true if the result must be complemented
 };
 
-/// The stack of frames.
+/// The explicit stack of frames.
 class Frames {
 public:
     explicit Frames(Budget& budget) : frames_(budget) {}
@@ -48,7 +48,7 @@ private:
     std::size_t size_ = 0;
 };
 
-/// Mapping between variables and levels, and the groups of variables.
+/// The variable order: a map between variables and levels, and the groups of variables.
 class Order {
 public:
     explicit Order(Budget& budget) : level_of(budget), variable_at(budget), group_of(budget) {}
@@ -92,15 +92,15 @@ struct Kernel {
     std::uint64_t reorder_above = 0;
 };
 
-/// Obtains memory for a node by growth or by a garbage collection, which does not free the nodes of `low` and `high`.
-/// Throws BddExhausted if no memory can be obtained.
+/// Obtains memory for a node by growth of the table or by a garbage collection, which does not free the nodes of `low`
+/// and `high`. Throws BddExhausted if no memory can be obtained.
 void free_memory(Kernel& kernel, Edge low, Edge high);
 /// Rebuilds the hash chains and the free list of the node table, and completes an interrupted sweep.
 void relink(Kernel& kernel);
 /// Frees the nodes that are not reachable from handles, frames or the edges `spared`.
 void collect(Kernel& kernel, std::initializer_list<Edge> spared);
-/// Doubles the number of nodes, or grows as far as the limit permits. Returns false if the limit permits less than a
-/// sixteenth of additional nodes, or if there is no memory for the hash table or the cache.
+/// Doubles the capacity of the node table, or grows it as far as the memory limit permits. Returns false if the limit
+/// permits less than a sixteenth of additional nodes, or if there is no memory for the hash table or the cache.
 bool grow(Kernel& kernel);
 
 /// Returns the function "if the variable of `level` then high else low". Requires that `low` and `high` depend only on
@@ -126,7 +126,7 @@ inline Edge make(Kernel& kernel, std::uint32_t level, Edge low, Edge high) {
     return n << 1U | flip;
 }
 
-/// A Session exists during one public operation. The constructor completes an interrupted sweep, and the destructor
+/// Session: exists during one public operation. The constructor completes an interrupted sweep, and the destructor
 /// removes the frames of the operation.
 class Session {
 public:
@@ -151,7 +151,7 @@ Edge simplified(Kernel& kernel, Edge f, Edge care);
 /// Improves the variable order by sifting. The variables of a group remain adjacent.
 void reorder(Kernel& kernel);
 
-/// Returns the nodes of a function without the constant node, children before parents. On return, all marks are
+/// Returns the nodes of a function, except the constant node, with children before parents. On return, all marks are
 /// cleared.
 std::vector<std::uint32_t> nodes_of(Kernel& kernel, Edge root);
 

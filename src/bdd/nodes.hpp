@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Node table of a space.
+// NodeTable: the table of all nodes of a BddSpace.
 //
-// An edge represents a function by a node. Its value is twice the index of the node, plus one if the function is the
-// complement of the node's function (Brace, Rudell and Bryant 1990). Node 0 is the constant: edge 0 is false, edge 1 is
-// true. A node represents the function "if the variable of the node then high else low". The low edge of a node is
-// never complemented, so that each function has a unique edge. A function and its complement share one node; the
-// function of a node is false for the assignment in which all variables are false.
+// An edge represents a function by a node. The value of an edge is twice the index of the node, plus one if the
+// function is the complement of the node's function (Brace, Rudell and Bryant 1990). Node 0 is the constant: edge 0 is
+// false, edge 1 is true. A node represents the function "if the variable of the node then high else low". The low edge
+// of a node is never complemented, so that each function has a unique edge. A function and its complement share one
+// node. Because low edges are not complemented, the function of every node is false if all variables are false.
 //
 // A node stores its level, which is the position of its variable in the order. The topmost variable has level 0, and
 // the constant node has the largest level. One hash table, with chains through the nodes, maps a triple (level, low,
@@ -13,10 +13,10 @@
 //
 // `refs` counts the handles of each node; edges from other nodes are not counted. Nodes that are reachable neither from
 // handles nor from frames of a running operation are garbage. Garbage nodes stay in the table until memory is needed.
-// Until then, an operation that needs the same triple uses the node again.
+// Until memory is needed, an operation that needs the same triple uses the garbage node again.
 //
-// A garbage collection and other changes of the table set `stale`; it is true until the hash chains are rebuilt. If the
-// rebuild is interrupted, `stale` stays true, and the next operation first completes the rebuild.
+// A garbage collection and other changes of the table set the flag `stale`, which is true until the hash chains are
+// rebuilt. If the rebuild is interrupted, `stale` stays true, and the next operation first completes the rebuild.
 #pragma once
 
 #include <cstdint>
@@ -33,10 +33,10 @@ constexpr bool is_constant(Edge edge) { return edge < 2; }
 constexpr Edge complement_bit(Edge edge) { return edge & 1U; }
 constexpr std::uint32_t index_of(Edge edge) { return edge >> 1U; }
 
-/// Level of the constant, which has no variable. `free_level` marks an unused node.
+/// `constant_level`: level of the constant node, which has no variable. `free_level`: marks an unused node.
 constexpr std::uint32_t constant_level = std::numeric_limits<std::uint32_t>::max() - 1, free_level = constant_level + 1;
 
-/// Edges have 30 bits, because the cache stores the operation in the other two bits.
+/// Edges have 30 bits, because the cache uses the other two bits of a 32-bit word to encode the operation.
 constexpr std::uint64_t most_nodes = std::uint64_t{1} << 29U;
 
 struct Node {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Quantification, and the relational product, which quantifies during the conjunction (Burch, Clarke and Long 1990).
-// The variables form a cube. Levels of the cube above the operands are skipped. If the cube has no further variable,
-// the result is the operand, or the conjunction of the two operands. If the result of the first branch of a quantified
-// variable is true, the other branch is skipped.
+// A cube (conjunction of variables) represents the set of quantified variables. Variables of the cube above the top
+// variables of the operands are skipped. If no variable of the cube remains, the result is the operand, or the
+// conjunction of the two operands. If the result of the first branch of a quantified variable is true, the other branch
+// is skipped.
 #include <algorithm>
 #include <utility>
 
@@ -12,7 +13,7 @@ namespace grafverif::bdd {
 
 namespace {
 
-/// Returns the cube without the variables above `level`.
+/// Returns the cube of quantified variables without the variables above `level`.
 Edge below(const Kernel& kernel, Edge cube, std::uint32_t level) {
     while (kernel.level(cube) < level) cube = kernel.high(cube);
     return cube;
@@ -69,8 +70,8 @@ struct Product : Branching {
 
     static bool enough(const Kernel& kernel, const Frame& at, Edge& low) {
         if (kernel.level(at.h) != at.level) return false;
-        // If an operand of the high branch equals `low`, the high branch adds nothing: its result implies `low`,
-        // because `low` does not depend on quantified variables.
+        // If an operand of the high branch equals `low`, the high branch need not be computed: its result implies
+        // `low`, because `low` does not depend on quantified variables.
         return low == true_edge || low == kernel.high(at.f, at.level) || low == kernel.high(at.g, at.level);
     }
 

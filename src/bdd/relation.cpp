@@ -12,10 +12,10 @@ namespace grafverif::bdd {
 
 namespace {
 
-/// Maximum size of the conjunction of parts, in nodes. Conjoining larger parts costs more time than it saves.
+/// Maximum size of a conjunction of parts, in nodes. Larger conjunctions cost more time than they save.
 constexpr std::size_t part_size = 600;
-/// Maximum number of parts for which an order is computed. If there are more parts, they remain in the order of their
-/// bits, because the computation is quadratic.
+/// Maximum number of parts for which an order is computed. More parts remain in the order of their bits, because the
+/// time of the computation is quadratic in their number.
 constexpr std::size_t most_arranged = 2000;
 
 std::vector<NextBit> sorted(std::vector<NextBit> bits) {
@@ -69,8 +69,8 @@ void Relation::free_of_choices() {
     choices_ = std::move(left);
 }
 
-/// Orders the parts greedily. Prefers a part with many variables that no later part reads, because these variables can
-/// be quantified immediately, and with few variables after a step.
+/// Orders the parts greedily. Prefers parts with many variables that no later part reads, because these variables can
+/// be quantified immediately, and parts with few variables after a step.
 void Relation::arrange() {
     if (parts_.size() > most_arranged) return;
     std::unordered_set<std::uint32_t> after;
@@ -111,8 +111,8 @@ void Relation::join() {
     parts_ = std::move(joined);
 }
 
-/// Assigns each variable after a step, and each choice, to the first part that reads it. Preimages process the parts
-/// from last to first.
+/// Assigns each variable after a step, and each choice, to the first part that reads it, because preimages process the
+/// parts from last to first.
 void Relation::end_after() {
     std::vector<std::uint32_t> remaining = choices_;
     for (const NextBit& bit : bits_) remaining.push_back(bit.after());

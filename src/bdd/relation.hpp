@@ -4,10 +4,11 @@
 //
 // Each bit has two variables: one for its value before a step and, directly below in the variable order, one for its
 // value after the step. The relation is partitioned into conjuncts ("parts") and is never represented by a single
-// diagram. An image quantifies a variable together with the last part that reads it (Burch, Clarke and Long 1991). A
-// choice is a variable that has a value only within one step. Parts that read the same choice are conjoined and the
-// choice is quantified, if the resulting diagram is small. All remaining parts are ordered so that variables can be
-// quantified early and are introduced late (Ranjan, Aziz, Brayton, Plessier, Pixley 1995).
+// diagram. The computation of an image quantifies each variable together with the last part that reads it (Burch,
+// Clarke and Long 1991). A choice is a variable that has a value only within one step. If the resulting diagram is
+// small, all parts that read the same choice are conjoined, and the choice is quantified. All remaining parts are
+// ordered so that variables can be quantified early and are introduced late (Ranjan, Aziz, Brayton, Plessier, Pixley
+// 1995).
 #pragma once
 
 #include <cstdint>
@@ -27,7 +28,7 @@ struct NextBit {
 
 class Relation {
 public:
-    /// Represents the steps in which each bit of `bits` gets its next value; all other variables are unchanged.
+    /// Represents the steps in which each bit of `bits` takes its next value and all other variables are unchanged.
     /// `conditions` are further constraints on the variables before a step and on `choices`.
     Relation(const BddSpace& space, std::vector<NextBit> bits, std::vector<Bdd> conditions = {},
              std::vector<std::uint32_t> choices = {});
@@ -37,7 +38,7 @@ public:
         Bdd unread = {};              ///< variables that no part reads
         std::vector<Bdd> ended = {};  ///< for each part: variables that this part reads and no later part reads
     };
-    /// Distributes `variables` and the choices over the parts.
+    /// Assigns `variables` and the choices to the parts with which an image quantifies them.
     Quantified quantified(std::span<const std::uint32_t> variables) const;
 
     /// Returns the successors of `from` as a function of the variables before a step. Requires that the quantified

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Simultaneous renaming of variables. Both branches are renamed first. If the new variable is above all variables of
-// the results, the results are combined by a node, otherwise by if-then-else.
+// Renames variables simultaneously. Both branches of a node are renamed first. The renamed branches are combined by a
+// node if the new variable of the node is above all their variables, otherwise by if-then-else.
 //
 // The map from old to new variables is indexed by level. The map is computed at the first use and after each change of
-// the variable order. Cache entries identify a map by a number.
+// the variable order. A cache entry identifies the map by a number.
 #include <utility>
 #include <vector>
 
@@ -53,7 +53,7 @@ struct Renamed : Branching {
 };
 
 std::uint32_t new_number(Kernel& kernel) {
-    if (++kernel.numbers == 0) {  // all numbers have been used: the cached results of old maps are discarded
+    if (++kernel.numbers == 0) {  // numbers start again, so that the cached results of old maps must be discarded
         kernel.cache.clear(kernel.watch);
         kernel.numbers = 1;
     }

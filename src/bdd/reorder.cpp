@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Variable reordering by sifting (Rudell 1993) with groups (Panda and Somenzi 1995): each group is moved through all
 // positions by exchanges of adjacent levels, and placed at the position with the smallest number of nodes. The largest
-// groups are moved first. A group is not moved further in a direction if the diagrams are a fifth larger than at the
-// best position.
+// groups are moved first. The movement in a direction stops if the diagrams are a fifth larger than at the best
+// position.
 //
 // An exchange rewrites the nodes of two levels in place. A node denotes the same function before and after the
 // exchange, so that handles remain valid. Between exchanges the space is consistent. Therefore reordering can be
 // interrupted; the space then keeps the order reached so far. If the memory limit does not permit an exchange,
 // reordering ends. Groups that were split by an interruption are reassembled at the start of the next reordering.
-// During reordering there is no garbage, and edges to nodes are counted.
+// During reordering, the table contains no garbage, and the number of edges to each node is counted.
 #include <algorithm>
 #include <new>
 #include <numeric>
@@ -19,8 +19,8 @@ namespace grafverif::bdd {
 
 namespace {
 
-/// Maximum number of nodes in two levels that are exchanged. It limits the time of an exchange, which cannot be
-/// interrupted.
+/// Maximum number of nodes in two levels that are exchanged. This maximum limits the time of an exchange, which cannot
+/// be interrupted.
 constexpr std::size_t longest_exchange = 1U << 18U;
 
 struct NoMemory {};
@@ -152,7 +152,7 @@ private:
         lower.reserve(nodes + 2 * at_[level].size());
         upper.reserve(nodes);
         rewritten.reserve(at_[level].size());
-        // After this point, no operation can fail.
+        // From here on, no operation can fail, so that the exchange is never left incomplete.
         for (const std::uint32_t n : at_[level]) table_.unlink(n);
         for (const std::uint32_t n : at_[level + 1]) table_.unlink(n);
         for (const std::uint32_t n : at_[level]) {
@@ -189,8 +189,8 @@ private:
         ++order.version;
     }
 
-    /// Rewrites a node of the upper variable that also depends on the lower variable; afterwards it is a node of the
-    /// lower variable.
+    /// Rewrites a node of the upper variable that also depends on the lower variable. Afterwards, the node belongs to
+    /// the lower variable, and its function is unchanged.
     void rewrite(std::uint32_t n, std::uint32_t level, std::vector<std::uint32_t>& lower, std::size_t) {
         const Edge low = table_.nodes[n].low, high = table_.nodes[n].high;
         const Edge first = made(level + 1, kernel_.low(low, level + 1), kernel_.low(high, level + 1), lower);
@@ -220,7 +220,7 @@ private:
     Kernel& kernel_;
     NodeTable& table_;
     std::vector<std::uint32_t> uses_;             ///< number of edges and handles to each node
-    std::vector<std::vector<std::uint32_t>> at_;  ///< nodes of each level
+    std::vector<std::vector<std::uint32_t>> at_;  ///< the nodes at each level
 };
 
 /// Charges memory to the budget during the lifetime of the object.
@@ -242,7 +242,7 @@ void reorder(Kernel& kernel) {
     kernel.cache.clear(kernel.watch);
     const Charge charge(kernel.budget,
                         16 * std::uint64_t{kernel.table.capacity} + 64 * std::uint64_t{kernel.order.size()});
-    if (charge.bytes == 0) return;  // not enough memory for reordering
+    if (charge.bytes == 0) return;  // reordering is skipped, because there is not enough memory
     try {
         Sifter(kernel).sift();
     } catch (const NoMemory&) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Simplification under an assumption. `restricted` sets variables to constants (exact cofactor). `simplified` applies a
-// care set, outside of which the result is arbitrary (restrict of Coudert and Madre, 1990). In the care set, variables
-// on which only the care set depends are quantified. If the care set is false in one branch of a variable, the result
-// is the result of the other branch.
+// Simplifies functions under an assumption. `restricted` sets variables to constants (exact cofactor). `simplified`
+// applies a care set, outside of which the result is arbitrary (restrict of Coudert and Madre, 1990). Variables on
+// which only the care set depends are quantified in the care set. If the care set is false for one value of a variable,
+// the result does not depend on this variable and is computed for its other value.
 #include <algorithm>
 
 #include "bdd/explicit_stack.hpp"
@@ -11,8 +11,8 @@ namespace grafverif::bdd {
 
 namespace {
 
-/// Removes the complement bit, and returns true if it was set. Therefore a function and its complement share cache
-/// entries. Removing the bit is correct because both operations commute with complementation.
+/// Removes the complement bit of `f`, and returns true if the bit was set, so that a function and its complement share
+/// cache entries. Removing the bit is correct, because both operations commute with complementation.
 bool made_regular(Edge& f) {
     const bool flip = complement_bit(f) != 0;
     f &= ~1U;

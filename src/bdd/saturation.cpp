@@ -11,7 +11,7 @@ namespace grafverif::bdd {
 
 namespace {
 
-/// Number of bytes that are charged to the budget for each stored result.
+/// Number of bytes that are charged to the memory budget for each stored result.
 constexpr std::uint64_t result_size = 96;
 
 std::vector<std::uint32_t> written(const std::vector<NextBit>& bits, std::span<const std::uint32_t> free) {
@@ -62,7 +62,8 @@ Bdd Saturation::closed_here(const Bdd& states, std::size_t from) {
         before = result;
         for (const ClusterSteps* kind : levels_[from].kinds) {
             const Bdd found = kind->relation.image(result, kind->quantified) & ~result;
-            if (!found.is_false()) result |= closed(found, from + 1);  // a union of closed sets is closed
+            // The union stays closed, because a union of closed sets is closed.
+            if (!found.is_false()) result |= closed(found, from + 1);
         }
     }
     return result;

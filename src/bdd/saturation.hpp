@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Saturation (Ciardo, Luettgen, Siminiscu 2001): computes the reachable states of a disjunctively partitioned
 // transition relation. The algorithm is efficient if each cluster of the relation reads and writes only few variables.
-// A diagram is closed bottom-up. First, each subdiagram is closed under the steps that concern only variables below the
-// top variable of the diagram. Then, the complete diagram is closed under the steps whose topmost variable is the top
-// variable of the diagram. Both are repeated up to a fixed point. Results for subdiagrams are cached and reused. The
-// algorithm does not compute diagrams of breadth-first layers.
+// A set is closed if no step leaves it. A diagram is closed bottom-up. First, each subdiagram is closed under the steps
+// that concern only variables below the top variable of the diagram. Then, the complete diagram is closed under the
+// steps whose topmost variable is the top variable of the diagram. These two operations are repeated until the diagram
+// no longer changes. Results for subdiagrams are cached and reused. The algorithm does not compute the layers of a
+// breadth-first search.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Implementation of spaces and handles.
+// Implements BddSpace and the handles Bdd.
 #include <algorithm>
 #include <cassert>
 

@@ -9,7 +9,7 @@ BddTerm term_of(const BddSpace& space, const BddWord& word) {
     if (word.type.boolean) return bdd_boolean(space.variable(word.bits.front()));
     bits::Integer<Bdd> offset;
     for (const std::uint32_t bit : word.bits) offset.push_back(space.variable(bit));
-    offset.emplace_back();  // the offset from type.low is not negative; therefore its sign bit is false
+    offset.emplace_back();  // the sign bit is false, because the offset from type.low is not negative
     return {false, bits::sum(offset, bits::constant<Bdd>(word.type.low)), {}};
 }
 

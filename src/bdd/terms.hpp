@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Represents the bits of an Expr of any IR by functions of the variables of a BddSpace (see ir/bit_terms.hpp).
+// Represents the bits of an Expr of any intermediate representation by functions of the variables of a BddSpace (see
+// ir/bit_terms.hpp).
 #pragma once
 
 #include <cstdint>
@@ -28,9 +29,10 @@ struct BddWord {
 /// Returns a term that has the value of `word`. For assignments for which `in_range` is false, the value of the term
 /// exceeds type.high.
 BddTerm term_of(const BddSpace& space, const BddWord& word);
-/// True for assignments for which the value of the word is in the range of its type.
+/// Returns the function that is true for assignments for which the value of the word is in the range of its type.
 Bdd in_range(const BddSpace& space, const BddWord& word);
-/// True for assignments for which the word has the value `value`, which must be in the range of its type.
+/// Returns the function that is true for assignments for which the word has the value `value`. Requires that `value` is
+/// in the range of its type.
 Bdd equals(const BddSpace& space, const BddWord& word, std::int64_t value);
 /// Returns the value of the word under an assignment to all its bits; Booleans are 0 and 1.
 std::int64_t value_of(const BddWord& word, const std::vector<bool>& assignment);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Traversals of the nodes of a function. The traversals do not create nodes. Visited nodes are marked, and unmarked at
-// the end.
+// Traversals of the nodes of a function. The traversals do not create nodes. A traversal marks visited nodes, and
+// clears the marks at its end.
 #include <algorithm>
 #include <cassert>
 #include <new>
@@ -30,7 +30,7 @@ struct VisitedNodes {
 
 std::vector<std::uint32_t> nodes_of(Kernel& kernel, Edge root) {
     NodeTable& table = kernel.table;
-    if (table.sweeping) relink(kernel);  // the marks are needed by an interrupted sweep
+    if (table.sweeping) relink(kernel);  // an interrupted sweep, which still needs the marks, is completed first
     VisitedNodes met(table);
     const auto meet = [&](Edge edge) {
         const std::uint32_t n = index_of(edge);
@@ -99,7 +99,8 @@ std::optional<std::vector<BddLiteral>> one_cube(const Bdd& f) {
 
 void for_each_cube(const Bdd& f, const std::function<bool(std::span<const BddLiteral>)>& visit) {
     struct Branch {
-        /// Function that remains after the literals of the path; it is a handle because `visit` may use the space.
+        /// Cofactor of the function for the literals of the path; stored as a handle, because `visit` may use the
+        /// space.
         Bdd function = {};
         std::size_t depth = 0;    ///< number of literals on the path
         BddLiteral literal = {};  ///< last literal of the path

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// grafverif-certify: checks the certificate that `grafverif check --certificate FOLDER` writes. This folder is the
-// complete program; it shares no code with grafverif. docs/how-to/certificates.md describes the files and the claims.
+// grafverif-certify: checks the certificate that `grafverif check --certificate FOLDER` writes. The folder src/certify
+// contains the complete program, which shares no code with grafverif. docs/how-to/certificates.md describes the files
+// and the claims.
 //
 //   network.txt      the closed loop as a flat network of timed automata, with its properties and the caps of its clocks
 //   certificate.txt  the claims (`holds P`, `violated P` with a run), and checksums
 //   states.txt       a set of states, one per line
 //
-// If the set contains the initial state and all successors of its states, it contains every reachable state. The
-// program computes all successors itself.
+// If the set contains the initial state and all successors of its states, it contains every reachable state.
+// grafverif-certify computes all successors itself.
 #include <cstdio>
 #include <optional>
 #include <ranges>
@@ -17,7 +18,7 @@
 
 namespace certify {
 
-/// True if so many states of a run, or after a run, need too much memory.
+/// True if `states` states of the size of `one` would need too much memory.
 bool are_too_many(std::size_t states, const State& one) {
     return states * (one.size() + 16) > 200'000'000;  // 16: the overhead of a state, in values
 }
@@ -30,7 +31,8 @@ std::string text_of(const State& state) {
     return text;
 }
 
-/// The states of states.txt, which contain the initial state and all successors of each state.
+/// The graph of the states in states.txt. The constructor checks that they include the initial state and all successors
+/// of each state.
 class Graph {
 public:
     Graph(Semantics& semantics, std::string_view text) : semantics_(semantics) {
@@ -63,7 +65,7 @@ public:
     /// Checks that `property` holds or, for `reachable`, that no state satisfies it.
     void check(const Property& property) {
         const Pattern pattern = property.pattern;
-        std::vector<bool> starts(size()), goal(size());  // a path to a goal is necessary from each start
+        std::vector<bool> starts(size()), goal(size());  // the property requires that a goal follows each start
         const auto delay = [&](std::size_t i) { return starts_[i + 1] - (waits_[i] ? 1 : 0); };
         for (std::size_t i = 0; i < size(); ++i) {
             const State now = state(i);
@@ -78,7 +80,7 @@ public:
         std::vector<std::vector<std::size_t>> sources(size());
         std::vector<std::size_t> missing(size()), open;
         for (std::size_t i = 0; i < size(); ++i) {
-            // number of successors that must reach a goal
+            // number of successors of state i that must reach a goal before i counts as reaching a goal
             missing[i] = pattern < Pattern::Possible ? starts_[i + 1] - first(i) : 1;
             for (std::size_t k = first(i); k < starts_[i + 1]; ++k) sources[targets_[k]].push_back(i);
             if (goal[i]) open.push_back(i);
@@ -116,11 +118,12 @@ private:
 
     Semantics& semantics_;
     std::vector<std::string_view> lines_ = {};
-    std::vector<std::size_t> starts_ = {}, targets_ = {};  // targets_: by edges, then by a delay if `waits_`
+    // In `targets_`: the successors of a state by edges, then the successor by a delay if `waits_` is true.
+    std::vector<std::size_t> starts_ = {}, targets_ = {};
     std::vector<bool> waits_ = {};
 };
 
-/// A run from the initial state. From state number `loop` on, it repeats.
+/// A run from the initial state. The states from the index `loop` on repeat forever.
 struct Run {
     std::vector<State> states = {};
     std::optional<std::size_t> loop = {};
@@ -129,7 +132,7 @@ struct Run {
 Run read_run(Words& words, Semantics& semantics) {
     const std::vector<Process>& processes = semantics.network.processes;
     Run run{{semantics.network.initial}};
-    Int longest = 10'000'000;  // units of time in the remaining run
+    Int longest = 10'000'000;  // maximum number of units of time in the remaining run
     for (State next; words.next_line() && !words.skip("end");) {
         if (are_too_many(run.states.size(), run.states[0])) reject("a run is too long");
         if (semantics.races(run.states.back())) reject("a run continues after a race");
@@ -148,15 +151,16 @@ Run read_run(Words& words, Semantics& semantics) {
             run.states.push_back(run.states.back());
             for (Int i = 0; i < units; ++i) {
                 if (!semantics.moves(run.states.back(), next, [](const State&) {})) reject("time cannot pass in a run");
-                if (std::exchange(run.states.back(), next) == next) break;  // longer delays lead to the same state
+                if (std::exchange(run.states.back(), next) == next) break;  // a further delay leads to the same state
             }
         } else words.fail("expected `take`, `delay`, `loop` or `end`");
     }
     return run;
 }
 
-/// True if no path from `from` leads to a required state: with an enabled edge (no deadlock), with a delay (no
-/// timelock), or with the operand (always possible). For other patterns: true if `from` has no successor.
+/// True if no path from `from` leads to a state that the property requires: a state with an enabled edge (no deadlock),
+/// with a possible delay (no timelock), or with the operand (always possible). For other patterns, true if `from` has
+/// no successor.
 bool is_trap(const Property& property, const State& from, Semantics& semantics) {
     std::set<State> seen{from};
     std::vector<State> open{from};
@@ -182,7 +186,8 @@ bool shows(const Run& run, const Property& property, Semantics& semantics) {
     const std::vector<State>& states = run.states;
     if (property.pattern <= Pattern::ExactlyOne) return semantics.decides(property, states.back());
     if (property.pattern != Pattern::Inevitable && property.pattern != Pattern::LeadsTo) {
-        // If an earlier state is a trap, this state is one, because it follows the earlier state.
+        // It is sufficient to test the last state: if an earlier state is a trap, the last state is also a trap,
+        // because it follows the earlier state.
         const auto last = std::ranges::find_if(states | std::views::reverse, [&](const State& state) {
             return property.pattern == Pattern::Possible || semantics.concerns(property, state);
         });
@@ -190,7 +195,7 @@ bool shows(const Run& run, const Property& property, Semantics& semantics) {
     }
     const bool repeats = run.loop && *run.loop + 1 < states.size() && states[*run.loop] == states.back();
     if (!repeats && !is_trap(property, states.back(), semantics)) return false;
-    std::size_t since = states.size();  // no state from this state on satisfies the last operand
+    std::size_t since = states.size();  // index from which on no state satisfies the last operand
     while (since > 0 && !semantics.last_operand(property, states[since - 1])) --since;
     if (since == states.size() || (repeats && since > *run.loop)) return false;
     if (property.pattern == Pattern::Inevitable) return since == 0;
@@ -199,8 +204,8 @@ bool shows(const Run& run, const Property& property, Semantics& semantics) {
     });
 }
 
-/// Checks the certificate in `folder`. Returns a line for each property. Throws Rejected or std::runtime_error.
-/// If `inner` is not empty, the folder contains the certificate of only the property `inner`.
+/// Checks the certificate in `folder`. Returns a line of text for each property. Throws Rejected or std::runtime_error.
+/// If `inner` is not empty, the certificate must concern only the property `inner`.
 std::string check(const std::filesystem::path& folder, const std::string& inner = {}) {
     const std::string text = content_of(folder / "certificate.txt"), model = content_of(folder / "network.txt");
     const std::size_t end = text.rfind("checksum ");
@@ -216,7 +221,7 @@ std::string check(const std::filesystem::path& folder, const std::string& inner 
         words.fail("the certificate belongs to another network, or network.txt is damaged");
     if (!inner.empty() && (network.properties.size() != 1 || network.properties[0].name != inner))
         words.fail("the network of the folder `" + inner + "` must have only the property `" + inner + "`");
-    std::set<std::string> open;  // properties without claim
+    std::set<std::string> open;  // properties for which the certificate contains no claim
     for (const Property& property : network.properties) open.insert(property.name);
     std::set<std::string> folders = open;
     std::string states, result, others;

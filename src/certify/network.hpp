@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The network of a certificate: timed automata with variables, read from network.txt. Names are declared before they are
-// used. A part of the text that the reader does not understand is an error.
+// Reads the network of a certificate from network.txt: timed automata with variables. Names must be declared before
+// they are used. Text that does not conform to the format is an error.
 #pragma once
 
 #include <algorithm>
@@ -24,9 +24,9 @@ using State = std::vector<Int>;  // in the order of declaration: values of varia
 inline constexpr Int greatest_clock = Int{1} << 60;
 inline constexpr std::size_t most_nesting = 500, most_depth = 5000;
 
-/// The files are well-formed, but do not prove the claims: exit code 1.
+/// Thrown if the files are well-formed but do not prove the claims; the exit code is 1.
 using Rejected = std::domain_error;
-/// A term has no value: division by zero, or a result outside 64 bits.
+/// Thrown if a term has no value, because of a division by zero or a result outside 64 bits.
 struct NoValue {};
 
 [[noreturn]] inline void reject(const std::string& problem) { throw Rejected(problem); }
@@ -39,7 +39,8 @@ inline std::string content_of(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-/// Returns FNV-1a, 64 bits, as hexadecimal digits. It detects damage and mixed-up files, not deliberate changes.
+/// Returns FNV-1a, 64 bits, as hexadecimal digits. The checksum detects damaged and exchanged files, but not deliberate
+/// changes.
 inline std::string checksum(std::string_view text) {
     std::uint64_t hash = 0xcbf29ce484222325;
     for (const char byte : text) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
@@ -61,7 +62,8 @@ public:
         line_ = rest_.substr(0, end);
         rest_.remove_prefix(end + 1);
         ++number_;
-        // A terminal executes a control character, of ASCII or of UTF-8 (after 0xc2), when a name is printed.
+        // Control characters (of ASCII, or of UTF-8 after the byte 0xc2) are rejected, because a terminal would execute
+        // them when a name is printed.
         for (unsigned char previous = ' '; const char c : line_) {
             const auto byte = static_cast<unsigned char>(c);
             if (byte < 0x20 || byte == 0x7f || (byte >= 0x80 && byte < 0xa0 && (previous < 0x80 || previous == 0xc2)))
@@ -81,7 +83,7 @@ public:
         line_.remove_prefix(found.size());
         return found;
     }
-    /// Reads the next word if it is `expected`.
+    /// Reads the next word and returns true if it is `expected`; otherwise reads nothing and returns false.
     bool skip(std::string_view expected) {
         const std::string_view before = line_, found = at_end() ? "" : word();
         if (found != expected) line_ = before;
@@ -96,7 +98,8 @@ public:
             fail("`" + std::string(text) + "` is not a number, or too large or small");
         return value;
     }
-    /// Reads a word of `list`, or the `name` of an element of `list`, and returns its index.
+    /// Reads a word that is an element of `list`, or the member `name` of an element of `list`, and returns the index
+    /// of the element.
     template <class List, class... Name>
     std::size_t choice(const List& list, Name... name) {
         const auto found = std::ranges::find(list, word(), name...);
@@ -127,8 +130,8 @@ inline constexpr std::string_view patterns[] = {"always",          "never",     
 
 struct Term {
     Op op = Op::Constant;
-    Int value = 0;          // Constant: the value
-    std::size_t place = 0;  // Value: index in State
+    Int value = 0;          // for a Constant: its value
+    std::size_t place = 0;  // for a Value: index of the value in State
     std::vector<std::size_t> operands = {};
     std::size_t depth = 1;
 };
@@ -136,20 +139,22 @@ struct Constraint {
     std::size_t clock = 0;  // index in State
     Op relation = Op::Le;
     Int bound = 0;
-    /// The least value from which on all values satisfy the constraint or all values violate it.
+    /// Returns the least value from which on either all values satisfy the constraint, or all values violate it.
     Int cap() const { return relation == Op::Lt || relation == Op::Ge ? bound : bound + 1; }
 };
 struct Location {
     std::string name = {};
     std::vector<Constraint> invariant = {};
-    std::map<std::size_t, Int> caps = {};  // by clock (index in State): this value also represents all greater values
+    // By clock (index in State): the cap, which also represents all greater values.
+    std::map<std::size_t, Int> caps = {};
 };
 struct Edge {
     std::size_t from = 0, to = 0, guard = 0;
     bool urgent = false;
     std::vector<Constraint> constraint = {};
     std::set<std::size_t> resets = {};
-    std::vector<std::pair<std::size_t, std::size_t>> assignments = {};  // index in State, term
+    // Pairs of the index of the assigned variable in State, and the term of its new value.
+    std::vector<std::pair<std::size_t, std::size_t>> assignments = {};
 };
 struct Clock {
     std::string name = {};
@@ -164,7 +169,7 @@ struct Process {
 };
 struct Property {
     std::string name = {};
-    bool stable = false;  // concerns only states in which `settled` is true
+    bool stable = false;  // true if the property concerns only states in which `settled` is true
     Pattern pattern = Pattern::Always;
     std::vector<std::size_t> operands = {};
 };
@@ -179,17 +184,17 @@ public:
             if (!declared_.contains("initial " + process.name)) words_.fail("a process has no initial location");
     }
 
-    /// True if the range of a place of State contains `value`.
+    /// True if the range of the value with the index `place` in State contains `value`.
     bool admits(std::size_t place, Int value) const {
         return ranges[place].first <= value && value <= ranges[place].second;
     }
 
     std::vector<Process> processes = {};
     std::vector<Property> properties = {};
-    std::vector<Term> terms = {Term{}};  // term 0 is not used
+    std::vector<Term> terms = {Term{}};  // all terms; index 0 is not used
     std::size_t settled = 0, race = 0;   // terms
     State initial = {};
-    std::vector<std::pair<Int, Int>> ranges = {};  // by index in State
+    std::vector<std::pair<Int, Int>> ranges = {};  // range of each value of State, by its index
 
 private:
     void read_line(std::string_view kind) {
@@ -298,7 +303,7 @@ private:
 
     Words words_;
     std::map<std::string, std::size_t, std::less<>> terms_ = {};
-    std::set<std::string> declared_ = {};  // a second declaration is ambiguous
+    std::set<std::string> declared_ = {};  // declared names; a second declaration is an error
 };
 
 }  // namespace certify

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The semantics of a network in integer time: values of terms, edges, delays, and the caps of the clocks.
+// Implements the semantics of a network in integer time: values of terms, edges, delays, and the caps of the clocks.
 #pragma once
 
 #include "network.hpp"
@@ -18,14 +18,15 @@ public:
     }
     /// True if the state has a race, which ends a run.
     bool races(const State& state) { return network.race != 0 && truth(network.race, state); }
-    /// True if `property` concerns the state.
+    /// True if `property` concerns the state: a property `at stable` concerns only quiescent states.
     bool concerns(const Property& property, const State& state) {
         return !property.stable || truth(network.settled, state);
     }
     bool last_operand(const Property& property, const State& state) {
         return concerns(property, state) && truth(property.operands.back(), state);
     }
-    /// True if the property requires a path to this state. `has_edge`: an edge can be taken. `waits`: time can pass.
+    /// True if `state` is a goal, that is, a state to which the property requires a path. `has_edge`: the state has an
+    /// enabled edge. `waits`: time can pass.
     bool is_goal(const Property& property, const State& state, bool has_edge, bool waits) {
         if (property.pattern >= Pattern::NoDeadlock) return property.pattern == Pattern::NoDeadlock ? has_edge : waits;
         return property.pattern > Pattern::ExactlyOne && last_operand(property, state);
@@ -38,7 +39,7 @@ public:
         return (count != 0) != (property.pattern == Pattern::Always);
     }
 
-    /// True if the edge is enabled in `now`; then `next` is the successor, unless `error` is set.
+    /// True if the edge is enabled in `now`. If so, sets `next` to the successor or, after a model error, sets `error`.
     bool take(std::size_t p, const Edge& edge, const State& now, State& next) try {
         if (now[network.processes[p].place] != static_cast<Int>(edge.from)) return false;
         if (!satisfied(edge.constraint, now) || value(edge.guard, now) == 0) return false;
@@ -58,7 +59,7 @@ public:
     }
 
     /// Calls `visit(next)` for the successor by each edge that can be taken. Returns true if one unit of time can pass;
-    /// then `next` is the successor.
+    /// in this case, `next` is the successor by this delay.
     template <class Visit>
     bool moves(const State& now, State& next, const Visit& visit) {
         bool urgent = false;
@@ -78,8 +79,9 @@ public:
         return !urgent;
     }
 
-    /// Checks that no constraint distinguishes values that one cap represents: a cap covers the constraints of its
-    /// location and, for each edge that does not reset the clock, the cap of the target.
+    /// Checks that no constraint distinguishes values that one cap represents: the cap of a clock in a location is not
+    /// less than the caps of the constraints in this location. For each edge that does not reset the clock, the cap is
+    /// also not less than the cap of the clock in the target location.
     void check_caps() const {
         for (const Process& process : network.processes) {
             const auto require = [&](const Location& at, std::size_t clock, Int least) {
@@ -96,7 +98,7 @@ public:
         }
     }
 
-    /// Replaces the clocks of process `p` by their caps.
+    /// Replaces the clock values of process `p` that exceed their caps by the caps.
     void reduce(std::size_t p, State& state) const {
         for (const auto& [clock, cap] : location(p, state).caps) state[clock] = std::min(state[clock], cap);
     }
@@ -110,7 +112,7 @@ private:
             list, [&](const Constraint& one) { return combined(one.relation, state[one.clock], one.bound) != 0; });
     }
     Int value(std::size_t term, const State& state) {
-        ++round_;  // forgets all values in memory_
+        ++round_;  // a new round invalidates all values in memory_
         return evaluate(term, state);
     }
     Int evaluate(std::size_t index, const State& state) {
@@ -143,7 +145,7 @@ private:
         return fails ? throw NoValue() : result;
     }
 
-    std::vector<std::pair<std::uint64_t, Int>> memory_;  // values of terms, with their rounds
+    std::vector<std::pair<std::uint64_t, Int>> memory_;  // values of terms, with the rounds in which they were computed
     std::uint64_t round_ = 0;
 };
 

@@ -3,16 +3,17 @@
 // function of latches and inputs; an input has any value in each step. AIGER, the programs that read it, and the PDR
 // engine use this form.
 //
-// Coding: a Boolean is one bit. An integer is coded as its binary value, as its two's complement if the range includes
-// negative numbers, or as its offset from the minimum if this needs fewer bits. A bit that is initially true is stored
-// inverted in its latch. If the first value is not constant, the latch `started` selects between this value and the
-// latch of the bit.
+// Coding: a Boolean is one bit. An integer is coded as a binary number, or in two's complement if its range includes
+// negative numbers. If fewer bits are sufficient for the offset from the minimum, the offset is coded instead. A bit
+// that is initially true is stored inverted in its latch. If the initial value of a bit is not constant, the latch
+// `started` selects between the initial value and the latch of the bit.
 //
 // The latch `broken` represents the invariants, the constraints on steps and the ranges of free variables. `broken`
 // becomes true in the first step that violates one of these conditions, and remains true. Targets concern only states
-// in which `broken` is false and the invariants hold. In all other states, the values of the bits have no meaning.
+// in which `broken` is false and the invariants hold. In all other states, the values of the bits do not represent a
+// state of the system.
 //
-// Invariants of the circuit (see verify): gates come after their operands; words, latches and targets refer to existing
+// Invariants of the circuit (see verify): operands precede their gates; words, latches and targets refer to existing
 // nodes. Each source is the node of exactly one input or latch, and each input and latch has a source.
 #pragma once
 
@@ -37,11 +38,11 @@ struct Circuit {
     struct Latch {
         std::uint32_t node = 0;
         Literal next = Gates::no;
-        std::string name = {};  ///< name such as `n[2]`; `!n[2]` if it is stored inverted
+        std::string name = {};  ///< name such as `n[2]`; `!n[2]` if the bit is stored inverted
         bool operator==(const Latch&) const = default;
     };
-    /// A value: `base` plus the number that the literals represent, least significant bit first. If `with_sign` is
-    /// true, the last bit is a two's complement sign.
+    /// A variable or symbol: its value is `base` plus the number that the literals represent, least significant bit
+    /// first. If `with_sign` is true, the last bit is a two's complement sign.
     struct Word {
         Type type = {};
         std::int64_t base = 0;
@@ -51,17 +52,19 @@ struct Circuit {
     };
     /// One property to decide. A state property is decided by the reachability of a state in which `bad` is true. A
     /// state in which `bad` is true violates the property or, for `reachable`, is the witness. A property of runs is
-    /// violated if there is a run on which each literal of `justice` holds infinitely often; `bad` is then `no`.
+    /// violated if there is a run on which each literal of `justice` holds infinitely often; for such a property, `bad`
+    /// is the constant `no`.
     struct Target {
         Id<Property> about = {};
         Literal bad = Gates::no;
         std::vector<Literal> justice = {};
-        /// True in states in which the property has no value. If such a state is reachable, the property is undefined.
+        /// True in states in which a term of the property has no value. If such a state is reachable, the property is
+        /// undefined.
         Literal undefined = Gates::no;
         bool operator==(const Target&) const = default;
     };
-    /// A step that assigns a variable an undefined value or a value outside its range. If such a step is reachable, no
-    /// verdict is valid.
+    /// A condition under which a step assigns a variable an undefined value or a value outside its range. If such a
+    /// step is reachable, no verdict is valid.
     struct Leak {
         Id<FlatSystem::Variable> variable = {};
         Literal bad = Gates::no;
@@ -84,7 +87,7 @@ struct Circuit {
     bool operator==(const Circuit&) const = default;
 };
 
-/// A property that is not a target, with the reason.
+/// A property that the circuit cannot express, with the reason.
 struct NotInCircuit {
     Id<Property> about = {};
     std::string reason = {};
@@ -100,7 +103,7 @@ CircuitOf circuit_of(const TransitionSystem& system, FlatSystem& flat);
 
 std::vector<std::string> verify(const Circuit& circuit);
 
-/// A bit for each node of a circuit.
+/// The value of each node of a circuit.
 using NodeValues = std::vector<bool>;
 /// Computes all gates from the latches and inputs, which `values` already contains.
 void evaluate_gates(const Circuit& circuit, NodeValues& values);
@@ -109,12 +112,12 @@ inline bool value_of(const NodeValues& values, Gates::Literal literal) {
 }
 std::int64_t value_of(const NodeValues& values, const Circuit::Word& word);
 
-/// Calls `look` for each state of a run, given the input values of each step; missing values are false.
+/// Calls `look` for each state of the run with the given input values of each step; missing input values are false.
 void run_through(const Circuit& circuit, const std::vector<std::vector<bool>>& inputs,
                  const std::function<void(const NodeValues&)>& look);
 
-/// Returns the states of a run, given the input values of each step. A state has one value for each variable of the
-/// flat system.
+/// Returns the states of the run with the given input values of each step. A state has one value for each variable of
+/// the flat system.
 std::vector<std::vector<std::int64_t>> states_of(const Circuit& circuit, const std::vector<std::vector<bool>>& inputs);
 
 }  // namespace grafverif

@@ -16,7 +16,7 @@ using Variable = FlatSystem::Variable;
 /// Returns the number of bits of a value in two's complement, including the sign.
 std::size_t signed_width(std::int64_t value) { return bits::constant<Gate>(value).size(); }
 
-/// Returns a word with the coding of `type`, without its bits.
+/// Returns a word that describes the coding of values of `type`, without bits.
 Circuit::Word coding(Type type) {
     if (type.boolean || bit_count(type) == 0) return {type, type.boolean ? 0 : type.low, false, {}};
     const std::size_t least = bit_count(type);
@@ -63,7 +63,7 @@ private:
         circuit().inputs.push_back({node_of(literal), std::move(name)});
         return {&circuit().gates, literal};
     }
-    /// Adds a latch, whose next value is set later.
+    /// Adds a latch. The caller sets its next value later.
     Gate add_latch(std::string name) {
         const Literal literal = circuit().gates.source();
         circuit().latches.push_back({node_of(literal), Gates::no, std::move(name)});
@@ -88,7 +88,8 @@ private:
         if (!word.coding.with_sign) number.emplace_back();
         return {false, bits::sum(number, bits::constant<Gate>(word.coding.base)), {}};
     }
-    /// Returns the bits of the term, whose value must be in the range of the coding's type.
+    /// Returns the bits that represent the value of the term in the given coding. Requires that the value is in the
+    /// range of the coding's type.
     static std::vector<Gate> bits_of(const Term& term, const Circuit::Word& coding) {
         if (coding.type.boolean) return term.bits;
         bits::Integer<Gate> number = bits::difference(term.bits, bits::constant<Gate>(coding.base));
@@ -257,9 +258,9 @@ private:
         return one;
     }
 
-    /// Returns justice conditions for a run that has a state with `from` (default: its first state), but no state with
-    /// `goal` at that time or later. A run of this type exists if and only if these conditions, which include the
-    /// justice conditions of the system, can all hold infinitely often. A free input selects a state with `from`.
+    /// Returns justice conditions for runs that contain a state with `from` (default: the first state), but no state
+    /// with `goal` from then on. Such a run exists if and only if the returned conditions, which include the justice
+    /// conditions of the system, can all hold infinitely often. A free input selects the state with `from`.
     std::vector<Literal> never_again(const Gate& goal, const std::optional<Gate>& from) {
         const std::string number = std::to_string(circuit().targets.size());
         Gate waits = yes();

@@ -16,7 +16,8 @@ Gates::Literal Gates::both(Literal left, Literal right) {
     if (left > right) std::swap(left, right);
     if (left == no || left == (right ^ 1U)) return no;
     if (left == yes || left == right) return right;
-    // One-level simplification: compares each operand of a gate with the operands of the other operand.
+    // Simplification with one level of lookahead: compares each operand of a gate with the operands of the gate's other
+    // operand.
     for (const auto& [one, other] : std::array{std::pair(left, right), std::pair(right, left)}) {
         const Node inner = nodes_[node_of(one)];
         if (inner.left == no) continue;
@@ -63,7 +64,7 @@ namespace {
 
 Gates* graph_of(const Gate& f, const Gate& g) { return f.gates != nullptr ? f.gates : g.gates; }
 
-/// Returns the conjunction of two constants, which do not belong to a graph.
+/// Returns the conjunction of two constant Gates. Constants do not belong to a graph.
 Gate settled(const Gate& f, const Gate& g) {
     return Gate::constant(f.literal == Gates::yes && g.literal == Gates::yes);
 }

@@ -16,7 +16,7 @@ public:
     using Literal = std::uint32_t;
     static constexpr Literal no = 0, yes = 1;
 
-    /// An and-gate of two literals of earlier nodes, or a source, which has a given value and two literals `no`.
+    /// An and-gate of two literals of earlier nodes, or a source (an input or latch), whose two literals are `no`.
     struct Node {
         Literal left = no, right = no;
         bool operator==(const Node&) const = default;
@@ -45,7 +45,8 @@ inline bool is_inverted(Gates::Literal literal) { return (literal & 1U) != 0; }
 /// Returns the nodes on which `roots` depend, including the roots, in increasing order. The constant is never included.
 std::vector<std::uint32_t> cone(const Gates& gates, const std::vector<Gates::Literal>& roots);
 
-/// A Boolean function, as required by the templates of ir/bit_terms.hpp. Constants do not belong to a graph.
+/// A Boolean function with the operations that the templates of ir/bit_terms.hpp require. Constants do not belong to a
+/// graph.
 struct Gate {
     Gates* gates = nullptr;
     Gates::Literal literal = Gates::no;

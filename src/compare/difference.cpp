@@ -26,7 +26,7 @@ std::string sorted_text(std::vector<std::string> lines) {
     return text;
 }
 
-/// Matches the steps of the two charts.
+/// Finds the corresponding steps of the two charts.
 class StepMatching {
 public:
     StepMatching(const Chart& a, const Chart& b) : charts_{&a, &b} {
@@ -57,8 +57,8 @@ private:
         of_[1][of_b.index] = of_a;
     }
 
-    /// Returns the features of an unmatched step. If `whole` is true, the features include the transitions of the step
-    /// and the conditions of these transitions.
+    /// Returns the features of an unmatched step as text. If `whole` is true, the features include the transitions of
+    /// the step and the conditions of these transitions.
     std::string looks(std::size_t k, Step step, bool whole) const {
         const Wording words(*charts_[k], [&](Step each) {
             return each == step ? "@" : of_[k][each.index].valid() ? common_name(k, each) : std::string("?");
@@ -110,11 +110,11 @@ private:
         changes_.push_back({kind, std::move(subject), std::move(before), std::move(after)});
     }
 
-    /// Returns the texts with the names of the chart itself.
+    /// Returns a printer for elements of chart `k` with the step names of this chart.
     Wording own(std::size_t k) const {
         return {*charts_[k], [chart = charts_[k]](Step step) { return name_of(*chart, step).text(); }};
     }
-    /// Returns the texts with the names of the first chart, for comparison.
+    /// Returns a printer for elements of chart `k` with the step names of the first chart, for comparison.
     Wording common(std::size_t k) const {
         return {*charts_[k], [this, k](Step step) { return matching_.common_name(k, step); }};
     }
@@ -163,8 +163,8 @@ private:
         return lines;
     }
 
-    /// Adds the entries that only one of the two lists contains. If an entry of `before` and an entry of `after` begin
-    /// with the same word, they are reported as one changed entry.
+    /// Reports the entries that only one of the two lists contains. If an entry of `before` and an entry of `after`
+    /// begin with the same word, they are reported as one changed entry.
     void add_lists(const std::string& subject, std::vector<Line> before, std::vector<Line> after) {
         for (auto line = before.begin(); line != before.end();) {
             const auto same = std::ranges::find(after, line->common, &Line::common);

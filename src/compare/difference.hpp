@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// difference: determines the textual differences between two charts: steps, transitions, actions, variables and
-// constraints that were added, removed, changed or renamed.
+// difference: determines the steps, transitions, actions, variables and constraints that were added, removed, changed
+// or renamed between two charts.
 //
-// Steps correspond if they have the same name. Other steps correspond if they are the only steps with equal features:
-// type, actions and adjacent transitions. The comparison of features is repeated until no further steps correspond.
-// Then the comparison is repeated without the adjacent transitions as a feature. Transitions correspond if they connect
-// the same steps with the same condition. Other transitions correspond if they have the same name, or else if they
-// connect the same steps. Names of transitions, the order of elements and the layout of the text are ignored.
+// Steps correspond if they have the same name. Two other steps correspond if only these two steps have certain
+// features: type, actions and adjacent transitions. The comparison of features is repeated until no further steps
+// correspond. Then the comparison is repeated without the adjacent transitions as a feature. Transitions correspond if
+// they connect the same steps with the same condition. Other transitions correspond if they have the same name. All
+// remaining transitions correspond if they connect the same steps. Names of transitions, the order of elements and the
+// layout of the text are ignored.
 #pragma once
 
 #include <vector>
@@ -17,7 +18,7 @@
 namespace grafverif {
 
 /// Returns the differences in the order variables, constraints, steps with their actions, transitions. The result is
-/// empty if and only if both charts are equal, except for order, names of transitions, and data that is not part of the
+/// empty if and only if the charts differ at most in order, names of transitions, and data that is not part of the
 /// text.
 std::vector<ChartChange> difference(const Chart& a, const Chart& b);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// identical_up_to_names: true if two Equations have the same tables, entry by entry. Positions in the text are ignored.
-// Names are also ignored, except for the names of inputs and outputs. This condition is sufficient for equal behaviour,
-// but not necessary.
+// identical_up_to_names: compares two Equations; the result is true if they have the same tables, entry by entry.
+// Positions in the text are ignored. Names are also ignored, except for the names of inputs and outputs. Equations with
+// the same tables have the same behaviour, but different tables can also have the same behaviour.
 #pragma once
 
 #include "grafverif/ir/equations.hpp"

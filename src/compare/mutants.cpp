@@ -24,7 +24,7 @@ void collect_lists(Items& items, std::vector<Items*>& lists) {
         else if (auto* copies = std::get_if<tree::ReplicatedChartItems>(&item)) collect_lists(copies->items, lists);
 }
 
-/// The position of an item, or of an action of a step, in the lists of a chart. A position denotes the same item in
+/// The position of an item, or of an action of a step, in the lists of a chart. The position denotes the same item in
 /// every copy of the file.
 struct At {
     std::size_t list = 0, item = 0, action = 0;

@@ -3,15 +3,16 @@
 // complete file in canonical form, and can be read like any other file.
 //
 //   term-dropped        one operand of an `and` or `or` is missing
-//   term-negated        one operand, or a complete condition, is negated; the `not` of a negation is missing
-//   and-or              `and` for `or`, and vice versa
-//   and-divergence      the branches of a parallel divergence are alternatives
-//   or-divergence       two alternatives of one step are parallel branches, with the condition of the first alternative
+//   term-negated        one operand, or a complete condition, is negated; from a negation, the `not` is removed
+//   and-or              `and` replaces `or`, or vice versa
+//   and-divergence      the branches of a parallel divergence become alternatives
+//   or-divergence       two alternatives of one step become parallel branches, with the condition of the first
+//                       alternative
 //   wrong-successor     a transition leads to another step of its partial chart
 //   duration            a duration is twice as long
 //   action-missing      an action is missing
 //   output-swapped      a continuous action sets another output
-//   stored-side         a stored action is executed on deactivation instead of activation, and vice versa
+//   stored-side         a stored action is executed on deactivation instead of activation, or vice versa
 //   forcing-missing     a forcing order is missing
 //   not-initial         one of several initial steps is no longer initial
 #pragma once
@@ -25,7 +26,7 @@
 namespace grafverif {
 
 /// Returns the mutants in the order of the declarations. All texts are distinct and differ from the text of the file.
-/// The result is empty if the file is `broken` or does not contain a chart with this name.
+/// The result is empty if the file has syntax errors (`broken`) or does not contain a chart with this name.
 std::vector<Mutant> mutants(const tree::File& file, std::string_view chart);
 
 }  // namespace grafverif

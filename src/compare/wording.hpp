@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Wording: prints the parts of a chart, with names of steps that the caller provides.
+// Wording: prints the parts of a chart. The caller provides the names of the steps.
 #pragma once
 
 #include <functional>

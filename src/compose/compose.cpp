@@ -32,8 +32,8 @@ ControllerParts parts_of(const ClosedLoop& loop, Id<ClosedLoop::Controller> id, 
     return parts;
 }
 
-/// Reports a variable that two controllers assign. The reader has already reported such a variable, but compose does
-/// not rely on the reader.
+/// Reports a variable that two controllers assign. The reader already reports such variables for input files, but
+/// compose does not rely on this check.
 void check_writers(const Composition& composition, const ClosedLoop& loop, Diagnostics& diagnostics) {
     std::vector<const ControllerParts*> writers(composition.network.variables.size(), nullptr);
     for (const ControllerParts& parts : composition.controllers) {
@@ -58,7 +58,8 @@ void check_mode(const ClosedLoop& loop, std::span<const Equations> equations, co
                                                       "only charts have the mode stability-search", "omit `--mode`"));
 }
 
-/// Finds the controllers whose scans are requested by changes of their inputs.
+/// Finds, for each variable, the controllers without a task cycle that read it. A change of the variable requests a
+/// cycle of these controllers.
 void find_readers(Composition& composition) {
     composition.readers.resize(composition.network.variables.size());
     for (std::uint32_t controller = 0; controller < composition.controllers.size(); ++controller) {

@@ -6,7 +6,7 @@
 // corrected: see timers.cpp), and the flags that couple it with the plant:
 //   EVOL_PL   an edge of the plant, environment or another controller    set by this edge, reset when a cycle starts
 //             has assigned an input
-//   EVOL_TI   the output of a timer has changed                           set by the timers, reset with EVOL_PL
+//   EVOL_TI   the output of a timer has changed set by the timers, reset with EVOL_PL
 //   stable    one more cycle with the same inputs would change nothing    false at power-on
 //
 //   grain phased                                        grain atomic
@@ -16,9 +16,9 @@
 //     P1 -> P2 evolve()  pending timers, stable, stored actions, steps
 //     P2 -> W  [stable] write()    outputs
 //     P2 -> W  [!stable]
-//   every_cycle: P2 -> W write(), whether stable or not.
-// If a controller has a task cycle LEAST..MOST, its scans are started by time, and its flags EVOL_PL and EVOL_TI do not
-// exist. The clock clk is reset by each edge to W:
+//   Mode every_cycle: P2 -> W write(), also if the situation is not stable.
+// If a controller has a task cycle LEAST..MOST, time starts its scans, and its flags EVOL_PL and EVOL_TI do not exist.
+// Each edge to W resets the clock clk:
 //     W  -> P0 [clk >= LEAST && no timer pending], not urgent; invariant of W: clk <= MOST
 // Under stability search, the edge that starts a scan samples the inputs for all evolutions of the scan, and `stable`
 // is false until the end of the scan. The urgent edge W -> P0 [!stable && no timer pending] continues the scan. Under
@@ -29,11 +29,11 @@
 // has an effect, an edge from the location `init` to W calls start(). In mode every_cycle, and if the controller has a
 // task cycle, the edge from `init` always exists; in mode every_cycle, this edge also writes the outputs.
 //
-// The assignments of a procedure are executed sequentially. If an update would read a variable that an earlier update
-// of the procedure has overwritten, a scratch variable (`COUNT_old`) stores the old value. Inputs and timer outputs
-// that evolve() and write() read are sampled in fire(), because in the phased grain they may change during the cycle.
-// Outputs of stored actions have an image (`LOCK_image`) that evolve() changes and write() copies. If there are several
-// controllers, names begin with the name of the controller: `press_X_2`.
+// The assignments of a procedure are executed sequentially. If an assignment would read a variable that an earlier
+// assignment of the procedure has overwritten, a scratch variable (`COUNT_old`) stores the old value. Inputs and timer
+// outputs that evolve() and write() read are sampled in fire(), because these values may change during the cycle in the
+// phased grain. An output with stored actions has an image (`LOCK_image`), which evolve() changes and write() copies to
+// the output. If there are several controllers, names begin with the name of the controller: `press_X_2`.
 #pragma once
 
 #include <optional>
@@ -51,7 +51,8 @@ namespace grafverif {
 struct Ablations {
     bool cycle_always = false;         ///< guard of W -> P0 reads neither flags nor `stable`: CEP13 Fig. 17
     bool cycle_unless_stable = false;  ///< guard of W -> P0 does not read `stable`; mode every_cycle: CEP13 Fig. 24
-    /// CEP13 Fig. 33b: a timer does not detect that a step is deactivated and activated again within one instant.
+    /// If true, timers are as published in CEP13 Fig. 33b: a timer does not detect that a step is deactivated and
+    /// activated again within one instant.
     bool timers_as_published = false;
     bool sensors_not_urgent = false;  ///< edges that assign an input of a controller are not urgent: CEP13 Fig. 12b
 

@@ -19,8 +19,8 @@ struct ControllerParts {
     std::string name = {};
     std::string prefix = {};  ///< prefix of the controller's names; empty if there is only one controller
     ExecutionMode mode = ExecutionMode::StabilitySearch;
-    std::optional<TaskCycle> cycle = {};  ///< empty: the cycle time is zero
-    /// True if the cycle has an edge from the location `init`, which executes the first evolution.
+    std::optional<TaskCycle> cycle = {};  ///< task cycle; if empty, the cycle time is zero
+    /// True if the template of the PLC cycle has an edge from the location `init`, which executes the first evolution.
     bool starts = false;
     Span origin = {};
 
@@ -34,14 +34,14 @@ struct ControllerParts {
     /// Flags of the controller. `evol_ti` is valid only if there are timers. With a task cycle, time starts the scans,
     /// and EVOL_PL and EVOL_TI do not exist.
     Id<Network::Variable> evol_pl = {}, evol_ti = {}, stable = {};
-    /// For each timer: the variable that requests a change of the timer; empty if Ablations::timers_as_published is
-    /// true.
+    /// For each timer: the variable by which the controller requests a start or stop of the timer; empty if
+    /// Ablations::timers_as_published is true.
     std::vector<Id<Network::Variable>> pending = {};
 
     /// True if a scan of the task cycle can have several evolutions. Each scan of this controller samples the inputs
     /// once, when the scan starts, and `stable` is false until the last evolution of the scan.
     bool holds_inputs() const { return cycle && mode == ExecutionMode::StabilitySearch; }
-    /// True if the variable is an input with a sample that is kept for all evolutions of a scan.
+    /// True if the variable is an input whose sample is kept for all evolutions of a scan.
     bool is_held(Id<Equations::Variable> id) const {
         return holds_inputs() && equations->variables[id].role == Equations::Role::Input;
     }
@@ -55,7 +55,7 @@ struct Composition {
     std::vector<ControllerParts> controllers = {};
     /// For each variable of the plant: the controllers without a task cycle that have this variable as an input.
     std::vector<std::vector<std::uint32_t>> readers = {};
-    Id<Network::Variable> race = {};  ///< valid only if a race of stored actions is possible
+    Id<Network::Variable> race = {};  ///< flag of a race; valid only if a race of stored actions is possible
     /// Templates of timers by type. The type consists of the delays that the timer has, and of the members `flags` and
     /// `waits` of its coupling (timers.cpp). A template is added with the first timer of its type.
     std::map<std::tuple<int, bool, bool>, Id<Network::Template>> timers = {};
@@ -75,7 +75,7 @@ void add_timers(Composition& composition, const ControllerParts& parts, Id<Netwo
 /// this controller.
 void add_plant_flags(Composition& composition);
 
-/// Builds the formula Network::settled.
+/// Returns the term Network::settled, which is true if the network is quiescent.
 Id<Expr> settled(Composition& composition);
 
 /// Translates the properties of the loop to the network, and adds `no_race`.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The PLC cycle of CEP13 Fig. 33a and its process.
+// Builds the template of the PLC cycle (CEP13 Fig. 33a) and its process.
 #include "compose/controller.hpp"
 #include "compose/procedures.hpp"
 #include "ir/words_of.hpp"
@@ -21,8 +21,8 @@ Id<Expr> if_none_pending(Network& network, const ControllerParts& parts, Id<Expr
 }
 
 /// Returns the guard of the urgent edge `W -> P0`: `!stable || EVOL_PL || EVOL_TI`, and no request to a timer is
-/// pending. Flags that the controller does not have are omitted, and ablations change the guard. With a task cycle,
-/// this edge only continues a scan.
+/// pending. Flags that the controller does not have are omitted, and ComposeOptions::ablations can change the guard.
+/// With a task cycle, this edge only continues a scan.
 Id<Expr> cycle_guard(Composition& composition, const ControllerParts& parts) {
     Network& network = composition.network;
     std::vector<Id<Expr>> reasons;
@@ -109,8 +109,8 @@ private:
         return automaton_.edges[automaton_.edges.add(std::move(made))];
     }
 
-    /// Adds the clock that measures the time since the last scan, with the invariant of W. A scan takes no time, so the
-    /// clock is reset at its end.
+    /// Adds the clock that measures the time since the last scan, with the invariant of W. The clock is reset at the
+    /// end of a scan, because a scan takes no time.
     void add_clock() {
         clock_ = automaton_.clocks.add({"clk"});
         automaton_.locations[waiting_].invariant.push_back({clock_, Op::LessEqual, units(parts_.cycle->most_ms)});
@@ -118,8 +118,8 @@ private:
     Id<Expr> units(std::int64_t milliseconds) { return network().exprs.integer(milliseconds / network().time_unit_ms); }
 
     /// Adds the edges by which a cycle begins in W. With a task cycle, an edge with a clock constraint begins a scan,
-    /// and an urgent edge continues a scan that holds its inputs. The guard of the first edge is true whenever time can
-    /// pass; this guard is necessary only for models without clocks.
+    /// and an urgent edge continues a scan that holds its inputs. The guard of the edge with the clock constraint is
+    /// true whenever time can pass; this guard is necessary only for models without clocks.
     void begin_cycle(Location to, const std::vector<Procedure>& calls) {
         if (parts_.cycle) {
             std::vector<Network::Assignment> begin = sample_;

@@ -19,8 +19,8 @@ std::vector<Id<Equations::Variable>> stored_outputs(const Equations& equations) 
     return found;
 }
 
-/// Returns the inputs and timer outputs that evolve() or write() reads. `written` is set to one flag for each variable:
-/// true if write() reads the variable.
+/// Returns the inputs and timer outputs that evolve() or write() reads. Sets `written[v]` for each variable v: true if
+/// write() reads v.
 std::vector<Id<Equations::Variable>> late_inputs(const Equations& equations, std::vector<bool>& written) {
     std::vector<bool> read(equations.variables.size());
     written.assign(equations.variables.size(), false);
@@ -70,7 +70,7 @@ public:
         }
     }
 
-    /// Maps inputs and outputs to variables of the plant with the same names.
+    /// Maps inputs and outputs of the controller to the variables of the plant with the same names.
     void shared(const ClosedLoop& loop) {
         const SharedByName place(loop);
         for (const Id<Equations::Variable> id : parts_.equations->variables.ids()) {
@@ -109,7 +109,8 @@ public:
         }
     }
 
-    /// Adds every input to the sampled variables. In the atomic grain, timer outputs need no sample.
+    /// Adds every input to the sampled variables, because all evolutions of a scan read the same inputs. In the atomic
+    /// grain, timer outputs need no sample.
     void hold_inputs() {
         const Equations& equations = *parts_.equations;
         const bool atomic = composition_.network.grain == Grain::Atomic;
@@ -119,7 +120,8 @@ public:
         std::ranges::sort(parts_.sampled);
     }
 
-    /// Declares the requests to the timers. Requests for initial steps are set at power-on or by start().
+    /// Declares the variables that request a start or stop of timers. For initial steps, the request is set at power-on
+    /// or by start().
     void pending() {
         for (const Equations::Timer& timer : parts_.equations->timers) {
             const bool active = !parts_.starts && parts_.equations->variables[timer.watched].initial != 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// An edge of the plant sets the flag EVOL_PL of a controller if and only if the edge assigns an input of this
-// controller (CEP13 6.2). If the edges of two processes with the same template set different flags, a process uses a
-// copy of the template (`sensor_2`). Components are unchanged.
+// Adds the flags EVOL_PL to the plant. An edge of the plant sets the flag EVOL_PL of a controller if and only if the
+// edge assigns an input of this controller (CEP13 6.2). If the edges of two processes with the same template set
+// different flags, a process uses a copy of the template (`sensor_2`). The components of the model are unchanged.
 #include <algorithm>
 #include <map>
 
@@ -11,8 +11,8 @@ namespace grafverif {
 
 namespace {
 
-/// The flags that each edge sets, numbered in the order of first use. Processes for which these patterns are equal
-/// share a template.
+/// For each edge of a template: the flags that it sets, numbered in the order of first use. Processes with equal
+/// patterns share a template.
 using FlagPattern = std::vector<std::vector<std::uint32_t>>;
 
 struct Flags {

@@ -15,7 +15,7 @@ namespace grafverif {
 
 namespace {
 
-/// Encodes the locations of processes as variables `at_NAME`, written by each edge that changes the location.
+/// Encodes the location of a process as a variable `at_NAME`, which each edge that changes the location assigns.
 class Places {
 public:
     Places(Network& network, UniqueNames& names)
@@ -30,7 +30,8 @@ public:
                                     network_.exprs.integer(at_location(node)));
     }
 
-    /// Returns a copy of `term` that guards can read.
+    /// Returns a copy of `term` that can be used in guards: location tests are replaced by tests of the variables
+    /// `at_NAME`.
     Id<Expr> readable(Id<Expr> term) {
         const Exprs from = network_.exprs;  // a copy, because the function adds terms to the table
         return translate(from, term, network_.exprs, [&](const Expr& leaf) {
@@ -39,8 +40,8 @@ public:
     }
 
 private:
-    /// Adds a parameter to a template, assignments of the location to this parameter on its edges, and a variable as
-    /// the argument of each of its processes.
+    /// Adds a parameter to a template, and assignments of the new location to this parameter on its edges. Adds a
+    /// variable `at_NAME` as the argument of each process of the template.
     void add_location_variable(Id<Network::Template> id) {
         Network::Template& automaton = network_.templates[id];
         UniqueNames own;
@@ -66,8 +67,8 @@ private:
     std::vector<Id<Network::Variable>> variables_;
 };
 
-/// Changes every edge of the loop such that it is enabled only after all observers have processed the current state,
-/// and starts a new round of the observers.
+/// Changes every edge of the loop: the edge is enabled only after all observers have read the current state, and it
+/// starts a new round of the observers.
 void show_every_state(Network& network, Id<Expr> look) {
     const Id<Expr> seen = network.exprs.apply(Op::Equal, look, network.exprs.integer(0));
     const Id<Expr> first = network.exprs.integer(1);

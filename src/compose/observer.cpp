@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Observer automata. Each automaton implements the formula of its pattern in the table of docs/reference/properties.md.
-// A randomized test compares the automata with the formulas.
+// Builds the observer automata. Each automaton implements the formula that the table in docs/reference/properties.md
+// defines for its pattern. A randomized test compares the automata with the formulas.
 #include "compose/observer.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ public:
 
     ObserverMade made = {};
 
-    /// Returns an operand of the property.
+    /// `p` returns an operand of the property; `no` returns the negation of a term.
     Id<Expr> p(std::size_t number = 0) const { return terms_.operands[number]; }
     Id<Expr> no(Id<Expr> term) { return exprs_.negation(term); }
     Id<Expr> both(Id<Expr> left, Id<Expr> right) { return exprs_.conjunction(left, right); }
@@ -59,7 +59,7 @@ public:
                                   .constraint = {{clock_, relation, exprs_.integer(duration_)}}});
     }
     /// Adds an edge to `to` that can be taken when the clock exceeds the duration, in every state of the network. The
-    /// guard does not test this state, because only states that the observer has read are relevant.
+    /// guard does not test the current state, because only states that the observer has already read are relevant.
     void expires(Location from, Location to) {
         made.automaton.edges.add({.from = from,
                                   .to = to,
@@ -67,7 +67,7 @@ public:
                                   .constraint = {{clock_, Op::Greater, exprs_.integer(duration_)}}});
     }
 
-    /// Completes the automaton with edges for all other cases, which read the state and do not change the location.
+    /// Completes the automaton: for all other cases, adds edges that read the state and do not change the location.
     ObserverMade whole(Location initial) {
         for (const Location at : made.automaton.locations.ids())
             look(at, at, either(no(terms_.considered), rest_[at.index]), false);
@@ -87,14 +87,14 @@ private:
     const ObserverTerms& terms_;
     std::int64_t duration_;
     Id<Network::Clock> clock_ = {};
-    /// For each location: condition that no edge that was added so far can be taken.
+    /// For each location: condition under which none of the edges added so far can be taken.
     std::vector<Id<Expr>> rest_ = {};
 };
 
 // -- durations --------------------------------------------------------------------------------------------------------
 
-/// Locations and terms of a scope, for observers of durations and counts. If only scopes that close are relevant, the
-/// location `spoilt` represents a violation in a scope that has not closed yet.
+/// Locations and terms of a scope, for observers of durations and counts. If a violation counts only in a scope that
+/// closes, the location `spoilt` represents a violation in a scope that is still open.
 struct Scoped {
     Location out = {};     ///< location outside the scope; for `before`: after the scope
     Location failed = {};  ///< location reached by a violation inside the scope
@@ -112,7 +112,7 @@ Scoped scoped(Observer& of, Sentence::Scope scope, std::size_t operands) {
     return made;
 }
 
-/// `p leads to q within d`, that is, AG (p -> AF<=d q).
+/// Builds the observer of `p leads to q within d`, that is, of AG (p -> AF<=d q).
 ObserverMade within(Observer of, Sentence::Scope scope) {
     const Id<Expr> q = of.p(1), demand = of.both(of.p(0), of.no(q));
     const Location idle = of.location("idle"), due = of.location("due");
@@ -139,8 +139,8 @@ ObserverMade within(Observer of, Sentence::Scope scope) {
     return of.whole(scope == Sentence::Scope::Before ? idle : in.out);
 }
 
-/// `p at least every d`: a state with p follows within d after power-on, after the scope opens, and after each state
-/// with p.
+/// Builds the observer of `p at least every d`: a state with p follows within d after power-on, after the scope opens,
+/// and after each state with p.
 ObserverMade recurs(Observer of, Id<Expr> p, Sentence::Scope scope) {
     const Location due = of.location("due"), there = of.location("there");
     of.clock();
@@ -166,7 +166,7 @@ ObserverMade recurs(Observer of, Id<Expr> p, Sentence::Scope scope) {
     return of.whole(scope == Sentence::Scope::Before ? due : in.out);
 }
 
-/// `p holds for d`: whenever p becomes false, p has held for at least d.
+/// Builds the observer of `p holds for d`: whenever p becomes false, p has held for at least d.
 ObserverMade holds_for(Observer of) {
     const Location off = of.location("off"), on = of.location("on"), failed = of.failed();
     of.clock();
@@ -176,7 +176,7 @@ ObserverMade holds_for(Observer of) {
     return of.whole(off);
 }
 
-/// `p holds at most d`.
+/// Builds the observer of `p holds at most d`.
 ObserverMade holds_at_most(Observer of, Sentence::Scope scope) {
     if (scope != Sentence::Scope::Globally) return recurs(of, of.no(of.p()), scope);
     const Location off = of.location("off"), on = of.location("on"), failed = of.failed();
@@ -187,7 +187,7 @@ ObserverMade holds_at_most(Observer of, Sentence::Scope scope) {
     return of.whole(off);
 }
 
-/// `q at most d since p`: in each state with q, p holds or held at most d before.
+/// Builds the observer of `q at most d since p`: in each state with q, p holds, or has held at most d before.
 ObserverMade since(Observer of) {
     const Id<Expr> q = of.p(0), p = of.p(1);
     const Location before = of.location("before"), during = of.location("during"), after = of.location("after"),
@@ -203,8 +203,9 @@ ObserverMade since(Observer of) {
 
 // -- counts -----------------------------------------------------------------------------------------------------------
 
-/// `p at most count times`: counts the states with p that are the first state of the scope or follow a state without p.
-/// The count that starts in the first state that opens the scope is not less than a count that starts in a later state.
+/// Builds the observer of `p at most count times`: counts the states with p that are the first state of the scope or
+/// follow a state without p. If several states could open the scope, the count starts in the first of them, because
+/// this count is at least as large as a count that starts later.
 ObserverMade occurrences(Observer of, Sentence::Scope scope, std::int64_t count) {
     using enum Sentence::Scope;
     const Id<Expr> p = of.p();
@@ -230,7 +231,7 @@ ObserverMade occurrences(Observer of, Sentence::Scope scope, std::int64_t count)
 
 // -- scopes: r opens a scope, s closes it -----------------------------------------------------------------------------
 
-/// `never p`.
+/// Builds the observer of `never p` in a scope.
 ObserverMade absence(Observer of, Id<Expr> p, Sentence::Scope scope) {
     const Id<Expr> r = of.p(1);
     const Location in = of.location("inside"), out = of.location("outside"), failed = of.failed();
@@ -258,7 +259,7 @@ ObserverMade absence(Observer of, Id<Expr> p, Sentence::Scope scope) {
     return of.whole(out);
 }
 
-/// `inevitable p`.
+/// Builds the observer of `inevitable p` in a scope.
 ObserverMade existence(Observer of, Sentence::Scope scope) {
     const Id<Expr> p = of.p(0), r = of.p(1);
     const Location idle = of.location("idle"), due = of.location("due");
@@ -289,7 +290,7 @@ ObserverMade existence(Observer of, Sentence::Scope scope) {
     return of.whole(idle);
 }
 
-/// `p leads to q`.
+/// Builds the observer of `p leads to q` in a scope.
 ObserverMade response(Observer of, Sentence::Scope scope) {
     const Id<Expr> p = of.p(0), q = of.p(1), r = of.p(2), demand = of.both(p, of.no(q));
     const Location out = of.location("outside"), in = of.location("inside"), due = of.location("due");
@@ -325,7 +326,7 @@ ObserverMade response(Observer of, Sentence::Scope scope) {
     return of.whole(out);
 }
 
-/// `p precedes q`.
+/// Builds the observer of `p precedes q` in a scope.
 ObserverMade precedence(Observer of, Sentence::Scope scope) {
     const Id<Expr> p = of.p(0), q = of.p(1);
     const Location open = of.location("inside"), done = of.location("done"), failed = of.failed();

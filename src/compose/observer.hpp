@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Builds the observer automaton of a Sentence, the form of a watched property.
+// Builds the observer automaton of a Sentence (pattern, scope, duration and count of a property with Pattern::Watched).
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 
 namespace grafverif {
 
-/// Terms that an observer reads. Each of these terms can be used in a guard.
+/// Terms over variables that an observer reads. Each of these terms can be used in a guard.
 struct ObserverTerms {
     std::vector<Id<Expr>> operands = {};  ///< operands of the property
     Id<Expr> considered = {};             ///< true if the current state is relevant for the property
     Id<Expr> active = {};                 ///< true if this observer must read the state next
-    /// Variable that the observer assigns when it has read the state, and the new value.
+    /// `look`: variable that the observer assigns when it has read the state. `next`: the new value of this variable.
     Id<Expr> look = {}, next = {};
 };
 

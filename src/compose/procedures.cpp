@@ -14,7 +14,7 @@ namespace {
 using Assignments = std::vector<Network::Assignment>;
 using VariableId = Id<Equations::Variable>;
 
-/// An assignment of a new value to `target`. All terms are over the values before the procedure.
+/// An assignment of a new value to `target`. All terms refer to the values before the procedure.
 struct Update {
     VariableId target = {};
     std::vector<Id<Expr>> terms = {};
@@ -51,13 +51,13 @@ private:
     Exprs& exprs() { return network_.exprs; }
     Id<Expr> leaf_of(Id<Network::Variable> variable) { return leaf(network_, variable); }
 
-    /// True for an input that is not held and whose sample write() reads.
+    /// True for an input that is not held for all evolutions of a scan and whose sample write() reads.
     bool is_written_late(VariableId input) const {
         return parts_.sample_written[input.index] && !parts_.is_held(input);
     }
 
-    /// Returns the variable of the controller that stores the value. Outputs with stored actions have an image, and
-    /// held inputs have a sample.
+    /// Returns the network variable that stores the value of `variable` within the controller: the image of an output
+    /// with stored actions, the sample of a held input, otherwise the variable itself.
     Id<Network::Variable> storage(VariableId variable) const {
         if (parts_.is_held(variable)) return parts_.sample[variable.index];
         const Id<Network::Variable> image = parts_.image[variable.index];
@@ -85,7 +85,7 @@ private:
         return {leaf_of(parts_.sample[input.index]), leaf_of(parts_.variable[input.index])};
     }
 
-    /// Samples the inputs that are held.
+    /// Returns the assignments that sample the inputs that are held for all evolutions of a scan.
     Assignments sample() {
         Assignments list;
         for (const VariableId input : parts_.sampled)
@@ -104,8 +104,8 @@ private:
         return list;
     }
 
-    /// Updates step activities, stored actions, `stable` and timer requests. All new values are computed from the
-    /// values before the cycle.
+    /// Returns the assignments that update step activities, stored variables, `stable` and timer requests. All new
+    /// values are computed from the values before the cycle.
     Assignments evolve() {
         if (equations_.is_program) return scan(false);
         TermCopier before = reading(true);
@@ -136,15 +136,16 @@ private:
         return list;
     }
 
-    /// Resets the samples that only evolve() reads.
+    /// Adds assignments that reset the samples that only evolve() reads, because equal states must not differ in unused
+    /// samples.
     void forget_samples(Assignments& list) {
         for (const VariableId input : parts_.sampled)
             if (!parts_.sample_written[input.index] && !parts_.is_held(input)) list.push_back(forgotten(input));
     }
 
-    /// Returns the assignments of one scan of a program: of the first scan, or of a later scan in evolve(). A scan with
-    /// a run-time fault changes no variable of the program, because its results are unspecified and no property must
-    /// read them.
+    /// Returns the assignments of one scan of a program: the scan at power-on if `first` is true, otherwise a later
+    /// scan in evolve(). A scan with a run-time fault changes no variable of the program, because its results are
+    /// unspecified and no property must read them.
     Assignments scan(bool first) {
         TermCopier before = reading(!first);
         Assignments updates;
@@ -164,15 +165,15 @@ private:
         return list;
     }
 
-    /// Returns `value` if `trigger` holds, otherwise the current value of `target`.
+    /// Returns a term for the value of `target`: `value` if `trigger` holds, otherwise the current value.
     Id<Expr> stored(Id<Expr> target, Id<Expr> trigger, Id<Expr> value) {
         if (is_true(exprs(), value)) return exprs().disjunction(target, trigger);
         if (is_false(exprs(), value)) return exprs().conjunction(target, exprs().negation(trigger));
         return exprs().conditional(trigger, value, target);
     }
 
-    /// Updates the observed levels after the current procedure, and sets the requests to the timers whose levels
-    /// changed.
+    /// Adds assignments that update the observed levels after the current procedure, and that send requests to the
+    /// timers whose levels have changed.
     void watch(bool sampled, Assignments& list) {
         if (equations_.watches.empty()) return;
         TermCopier after = reading(sampled);
@@ -186,7 +187,7 @@ private:
         }
     }
 
-    /// Sets the requests to the timers of steps that change.
+    /// Returns the assignments that send requests to the timers of steps whose activity changes.
     Assignments pending(TermCopier& before) {
         Assignments list;
         if (parts_.pending.empty()) return list;
@@ -210,8 +211,8 @@ private:
         list.push_back({races.front(), exprs().disjunction(races)});
     }
 
-    /// Determines the variables that an update reads after an earlier update has overwritten them. Assignments that
-    /// store their old values are added first.
+    /// Returns the variables that an update reads after an earlier update has overwritten them. Adds assignments that
+    /// first store the old values of these variables.
     std::vector<VariableId> keep_old(const std::vector<Update>& updates, Assignments& list) {
         std::vector<bool> overwritten(equations_.variables.size()), kept(equations_.variables.size());
         std::vector<VariableId> olds;
@@ -256,15 +257,16 @@ private:
         return list;
     }
 
-    /// Resets the sample of a held input at the end of the scan. In the atomic grain, write() is a part of every
-    /// evolution.
+    /// Returns the assignment that resets the sample of a held input at the end of the scan. In the atomic grain,
+    /// write() is executed in every evolution, so that the reset is conditional.
     Network::Assignment released(VariableId input) {
         Network::Assignment reset = forgotten(input);
         if (!phased_) reset.value = exprs().conditional(leaf_of(parts_.stable), reset.value, reset.target);
         return reset;
     }
 
-    /// Assigns `output := value`. If the value changes, also sets the flags of the controllers that read the output.
+    /// Adds the assignment `output := value`. If the value changes, the flags of the controllers that read the output
+    /// are also set.
     void put(Id<Network::Variable> output, Id<Expr> value, Assignments& list) {
         const Id<Expr> target = leaf_of(output);
         if (!phased_ && !every_cycle_) value = exprs().conditional(leaf_of(parts_.stable), value, target);
@@ -276,7 +278,7 @@ private:
     }
 
     /// Returns the updates of the first evolution: actions on activation of the initial steps (Stored::first), previous
-    /// values and observed levels. Also requests that the timers of the initial steps start.
+    /// values and observed levels. Also requests the start of the timers of the initial steps.
     Assignments start() {
         if (equations_.is_program) return scan(true);
         Assignments list = sample();
@@ -285,7 +287,7 @@ private:
         std::vector<Update> updates;
         for (const Kept& each : kept_)
             if (each.first.valid() && !each.after) updates.push_back({each.variable, {each.first}});
-        std::ranges::stable_partition(updates, [&](const Update& update) {  // first the previous values for edges
+        std::ranges::stable_partition(updates, [&](const Update& update) {  // the previous values for edges come first
             return equations_.variables[update.target].role == Equations::Role::Previous;
         });
         const std::vector<VariableId> olds = keep_old(updates, list);
@@ -296,7 +298,8 @@ private:
             if (equations_.variables[equations_.timers[i].watched].initial != 0)
                 list.push_back({leaf_of(parts_.pending[i]), exprs().constant(true)});
         if (!every_cycle_) return list;
-        for (const VariableId input : parts_.sampled)  // write() follows immediately
+        // Samples the inputs that write() reads, because write() follows immediately.
+        for (const VariableId input : parts_.sampled)
             if (is_written_late(input)) list.push_back(sampled(input));
         return list;
     }

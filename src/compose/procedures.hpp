@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Procedures of the PLC cycle: the equations of a controller as sequences of assignments.
+// Builds the procedures of the PLC cycle: translates the equations of a controller to sequences of assignments.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,8 @@ namespace grafverif {
 
 struct Procedures {
     std::vector<Network::Assignment> fire = {}, evolve = {}, write = {};
-    std::vector<Network::Assignment> forget = {};  ///< the resets of write(), for a cycle that does not call write()
+    /// The assignments of write() that reset samples, for a cycle that does not call write().
+    std::vector<Network::Assignment> forget = {};
     std::vector<Network::Assignment> sample = {};  ///< samples of inputs that are held for all evolutions of a scan
     std::vector<Network::Assignment> start = {};   ///< executed before the first cycle; only if ControllerParts::starts
 };

@@ -34,11 +34,12 @@ private:
     struct Facts {
         bool reached = false;
         bool boolean = true;
-        bool kept = false;                       ///< the value must be computed before the first update
+        bool kept = false;                       ///< true if the value must be computed before the first update
         std::size_t uses = 0;                    ///< number of terms and updates that read the term
         std::size_t earliest = not_overwritten;  ///< index of the first update that overwrites a variable of the term
-        std::uint64_t size = 1;                  ///< number of nodes, if a term in a scratch variable counts as one
-        Id<Expr> replaced = {};                  ///< the term over scratch variables
+        /// Number of nodes, where a subterm in a scratch variable counts as one node.
+        std::uint64_t size = 1;
+        Id<Expr> replaced = {};  ///< the term in which scratch variables replace shared subterms
     };
 
     Exprs& exprs() { return composition_.network.exprs; }
@@ -48,7 +49,7 @@ private:
         return composition_.network.variables[{static_cast<std::uint32_t>(leaf.value)}].type;
     }
 
-    /// Finds the terms that the updates read, in an order in which operands precede their terms.
+    /// Finds the terms that the updates read. Operands precede the terms that contain them.
     void find_reached() {
         for (std::size_t k = 0; k < updates_.size(); ++k) {
             Facts& target = facts_[updates_[k].target.index];

@@ -11,9 +11,10 @@
 
 namespace grafverif {
 
-/// Returns assignments that assign to the targets of `updates` their values before the first assignment. Each target
-/// occurs once. Every term must have a value (no overflow, no division by zero) in every state, because a shared term
-/// is also computed if a conditional does not read it. The names of scratch variables begin with `prefix`.
+/// Returns assignments with the effect that all `updates` are executed simultaneously: all values are computed before
+/// the first target changes. Each target must occur only once. Every term must have a value (no overflow, no division
+/// by zero) in every state. A shared term is computed even if the conditional that contains it does not select it. The
+/// names of scratch variables begin with `prefix`.
 std::vector<Network::Assignment> simultaneous(Composition& composition, const std::vector<Network::Assignment>& updates,
                                               const std::string& prefix);
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Timers: one process per distinct time condition t1/v/t2. Timers for t1/v share the template of CEP13 Fig. 33b, with
-// two corrections. As published, a timer follows the level of its step and sets EVOL_TI only when it expires. Such a
-// timer does not detect that a step is deactivated and activated again within one instant. As a result, the pulse chart
-// `1 -> 2 when 5s/X1; 2 -> 1 when true` clears transitions forever after the first 5 s. In this implementation, the
-// step update sets a request (P) whenever it changes the level, and the timer accepts the request immediately and
-// restarts. No cycle starts before the request is accepted, and every change of Q sets EVOL_TI. If the step is inactive
-// at the end of the update, only a request to stop remains.
+// Adds the timers: one process per distinct time condition t1/v/t2. Timers for t1/v share the template of CEP13 Fig.
+// 33b, with two corrections. A timer as published follows the level of its step and sets EVOL_TI only when it expires.
+// Such a timer does not detect that its step is deactivated and activated again within one instant. As a result, the
+// pulse chart `1 -> 2 when 5s/X1; 2 -> 1 when true` clears transitions forever after the first 5 s. In this
+// implementation, the update of the step sets a request (P) whenever it changes the level, and the timer accepts the
+// request immediately and restarts. No PLC cycle starts before the request is accepted, and every change of the timer
+// output Q sets EVOL_TI. If the step is inactive at the end of the update, the request only stops the timer.
 //
 // With a task cycle, EVOL_TI does not exist, because time starts the scans. In a scan that searches for stability, no
-// delay elapses before `stable` is true: all evolutions of the scan read the delays as they are at the start of the
-// scan.
+// delay elapses before `stable` is true: for all evolutions of the scan, only those delays have elapsed that had
+// elapsed at its start.
 //
 // With t2, Q remains true for t2 after the level falls. The delay t1 ends before the delay t2 begins. If the level
 // rises again during t2, the new t1 (rise, clock t) elapses concurrently with the rest of the previous t2 (fall, clock
@@ -51,9 +51,10 @@ const char* template_name(Delays delays) {
 
 /// The connection of a timer to its controller.
 struct Coupling {
-    bool requests = true;  ///< false: the timer follows the level of its step (Ablations::timers_as_published)
-    bool flags = true;     ///< each change of Q sets EVOL_TI
-    bool waits = false;    ///< delays elapse only while `stable` is true
+    /// True if the timer waits for requests; false if it follows the level of its step (Ablations::timers_as_published).
+    bool requests = true;
+    bool flags = true;   ///< true if each change of the output Q sets EVOL_TI
+    bool waits = false;  ///< true if delays elapse only while `stable` is true
 };
 
 class TimerBuilder {
@@ -108,14 +109,15 @@ private:
         assert(added == done);
     }
 
-    /// Returns assignments that set Q to `value` and, unless time starts the scans, request a PLC cycle.
+    /// Returns assignments that set the output Q to `value` and, unless the controller has a task cycle, request a PLC
+    /// cycle.
     std::vector<Network::Assignment> change(bool value) {
         std::vector<Network::Assignment> list{{end_, exprs_.constant(value)}};
         if (coupling_.flags) list.push_back({flag_, exprs_.constant(true)});
         return list;
     }
 
-    /// Adds an edge that accepts a request. The edge resets the clock `starts`.
+    /// Adds an edge that accepts the request `request`. The edge resets the clock `starts`, if it is valid.
     void take(Location from, Location to, Id<Expr> request, std::vector<Network::Assignment> assignments,
               Id<Network::Clock> starts = {}) {
         if (coupling_.requests) assignments.push_back({pending_, exprs_.constant(false)});

@@ -15,10 +15,11 @@ namespace {
 
 using Scope = Sentence::Scope;
 
-/// A condition that must occur in a scope. If the condition does not occur, the property holds vacuously in that scope.
+/// The premise of a property: a condition that must be true in some state of a scope. Otherwise, the property holds
+/// vacuously in this scope.
 struct Premise {
     Id<Expr> term = {};
-    /// Note for the case that the condition never occurs; empty if every state satisfies the condition.
+    /// Note that is reported if the condition is never true; empty if the condition is true in every state.
     std::string never = {};
 };
 
@@ -39,7 +40,7 @@ Premise premise_of(Exprs& exprs, const Sentence& sentence, const std::vector<Id<
     unreachable();
 }
 
-/// True if scopes of this type are relevant only if they close.
+/// True if only scopes that close are relevant for properties with this type of scope.
 bool must_close(Scope scope) { return scope == Scope::Before || scope == Scope::Between; }
 
 /// The terms that open and close the scope of a property.
@@ -58,7 +59,7 @@ public:
 
     Id<Expr> opens = {}, closes = {};  ///< invalid if the type of scope has no such term
 
-    /// Returns a term that is true while the observer reads a relevant state in which `term` holds.
+    /// Returns a term that is true when the observer reads a relevant state in which `term` holds.
     Id<Expr> observed(Id<Expr> term) { return exprs_.conjunction(std::vector{terms_.active, terms_.considered, term}); }
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Probes that detect the vacuity of observed properties (ir/probes.hpp). A probe is violated if and only if its
-// property holds vacuously. docs/reference/properties.md has a table of all forms.
+// Adds probes that detect if a property with an observer holds vacuously (ir/probes.hpp). A probe is violated if and
+// only if its property holds vacuously. docs/reference/properties.md has a table of all forms.
 #pragma once
 
 #include <vector>
@@ -11,14 +11,14 @@
 
 namespace grafverif {
 
-/// Adds the variable that probes need if the scope of the property must close. The variable records if the premise has
-/// been true in a state of the open scope. The result is invalid if the scope need not close, or if an operand contains
-/// a division. The function does not change the observer in any other way.
+/// Adds the variable that probes need if only closed scopes are relevant for the property. The variable records if the
+/// premise has been true in a state of the open scope. The result is invalid if open scopes are also relevant, or if an
+/// operand contains a division. The function does not change the observer in any other way.
 Id<Network::Variable> follow_scope(Network& network, UniqueNames& names, const Property& property,
                                    const ObserverTerms& terms, Network::Template& automaton);
 
 /// Returns the probes of `property`, beginning with the most general probe. The first violated probe states why the
-/// property is vacuous. `followed` is the result of follow_scope.
+/// property holds vacuously. `followed` is the result of follow_scope.
 std::vector<Property> vacuity_probes(Network& network, const Property& property, const ObserverTerms& terms,
                                      Id<Network::Process> observer, Id<Network::Variable> followed);
 

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-// A location is a state in which the controller waits for its next scan. In a location, no timer is marked as fresh or
-// falling, because no event has yet occurred in the new instant. Each location is processed once, in the order of
-// discovery.
+// Searches the locations. A location is a state in which the controller waits for its next scan. In a location, no
+// timer is marked as `fresh` or `falling`, because no event has yet occurred in the new instant. Each location is
+// processed once, in the order of discovery.
 //
-// In every_cycle mode, each move that changes something is an evolution of the automaton.
+// In every_cycle mode, each move that changes the state is an evolution of the automaton.
 //
 // With stability search, the inputs of a move that is not stable are kept constant and followed through transient
 // states. The moves of each state partition the set of inputs: they are disjoint and cover all inputs. Therefore, each
 // input has exactly one path, and the set of inputs that follow a path becomes smaller along the path. A path ends with
-// a stable move (an arrival), or when it revisits one of its states. A path that revisits a state cycles forever,
-// because the next state is unique for constant inputs: total instability. The number of states is finite. Therefore,
-// one of the two cases occurs for every input.
+// a stable move (an arrival), or when it revisits one of its states. A path that revisits a state cycles forever (total
+// instability), because the next state is unique for constant inputs. Since the number of states is finite, every path
+// ends in one of these two ways.
 //
-// The marks of timers (fresh, falling) are kept along a path, because no time passes on the path. The marks are
-// recorded in the resulting evolution.
+// The marks `fresh` and `falling` of timers are kept along a path, because no time passes on the path. The resulting
+// evolution records the marks.
 #include "conform/automaton.hpp"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ struct Loop {
     Bdd set = {};
 };
 struct Followed {
-    std::vector<Arrival> arrivals = {};  ///< distinct states
+    std::vector<Arrival> arrivals = {};  ///< arrivals in distinct states
     std::vector<Loop> loops = {};
 
     void arrive(StateId state, const Bdd& set) {
@@ -54,8 +54,8 @@ struct Followed {
     }
 };
 
-/// Follows the moves in `first` and returns the results. `origin` is the location in which the moves start, or
-/// `no_state`. A stable move to `origin` is not an arrival.
+/// Follows the paths that begin with the moves in `first`, and returns their ends. `origin` is the location in which
+/// the moves start, or `no_state`. A stable move to `origin` is not an arrival.
 Followed followed(Moves& moves, const std::vector<StateMove>& first, StateId origin = no_state) {
     struct Leg {
         StateId state = 0;
@@ -90,7 +90,7 @@ Followed followed(Moves& moves, const std::vector<StateMove>& first, StateId ori
     return result;
 }
 
-/// Merges cycles through the same states. Each resulting cycle begins with its state that has the smallest number.
+/// Merges cycles that consist of the same states. Each resulting cycle begins with its state with the smallest number.
 std::vector<Loop> merged(std::vector<Loop> loops) {
     for (Loop& loop : loops) std::ranges::rotate(loop.states, std::ranges::min_element(loop.states));
     std::ranges::stable_sort(loops, {}, &Loop::states);
@@ -163,8 +163,8 @@ private:
         add_instabilities(automaton_.init, all.loops);
     }
 
-    /// True if the first evolution, which leads to `reached`, changes no variable, and `reached` emits the same outputs
-    /// as `init`.
+    /// True if the first evolution, which leads from `init` to `reached`, changes no variable, and both locations emit
+    /// the same outputs.
     static bool nothing_happened(const Location& init, const Location& reached) {
         return reached.values == init.values && reached.emissions == init.emissions;
     }
@@ -203,7 +203,7 @@ private:
         automaton_.evolutions.push_back(std::move(evolution));
     }
 
-    /// Timer outputs are the last inputs of the automaton.
+    /// Returns the input of the automaton for a timer output. Timer outputs are the last inputs of the automaton.
     Id<Automaton::Input> timer_input(std::size_t timer) const {
         return {static_cast<std::uint32_t>(automaton_.inputs.size() - equations_.timers.size() + timer)};
     }
@@ -257,7 +257,7 @@ private:
         return result;
     }
 
-    /// Returns the emissions of outputs with stored actions whose stored values are not 0.
+    /// Returns the emissions of the outputs with stored actions whose current values are not 0.
     std::vector<Automaton::Emission> stored_emissions(const std::vector<std::int64_t>& values) {
         std::vector<Automaton::Emission> result;
         for (std::size_t k = 0; k < equations_.stored.size(); ++k) {
@@ -329,7 +329,8 @@ InputOf declare_inputs(const Equations& equations, Automaton& automaton) {
 }
 
 /// Excludes impossible combinations of outputs of timers that observe the same term. The output of timer `one` implies
-/// the output of timer `other` in this case: the rise time of `one` is not shorter, and its fall time is not longer.
+/// the output of timer `other` in the following case: compared with `other`, the rise time of `one` is not shorter, and
+/// its fall time is not longer.
 void order_timers(const Equations& equations, const InputOf& inputs, InputSpace& space) {
     const auto end = [&](const Equations::Timer& timer) { return space.term(*inputs[timer.end.index]).bits.front(); };
     for (const Equations::Timer& one : equations.timers)
@@ -339,7 +340,8 @@ void order_timers(const Equations& equations, const InputOf& inputs, InputSpace&
                 space.assume(~end(one) | end(other));
 }
 
-/// Declares the variables. Returns false after an error. JESA13 section 2.2 requires inputs and outputs.
+/// Declares the variables. Returns false after an error, for example if the chart has no inputs or no outputs, which
+/// JESA13 section 2.2 requires.
 bool declare(const Equations& equations, Automaton& automaton, Diagnostics& diagnostics) {
     for (const Equations::Variable& variable : equations.variables)
         if (variable.role == Role::Output) automaton.outputs.add({variable.name, variable.type});
@@ -353,7 +355,7 @@ bool declare(const Equations& equations, Automaton& automaton, Diagnostics& diag
     return inputs && outputs;
 }
 
-/// Restricts the inputs by the constraints. Returns false after an error.
+/// Restricts the considered inputs to those that satisfy the constraints. Returns false after an error.
 bool assume(const Equations& equations, const InputOf& inputs, InputSpace& space, Diagnostics& diagnostics) {
     BddTerms terms(equations.exprs,
                    [&](const Expr& leaf) { return space.term(inputs[static_cast<std::size_t>(leaf.value)].value()); });

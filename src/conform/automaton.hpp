@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Converts Equations to a LocationAutomaton by JESA13 Algorithms 3 to 5, for both execution modes.
 //
-// Conditions are decision diagrams over the inputs. In a location, every variable of the chart is constant, so that a
-// firing condition is a function of the inputs. The firing conditions partition the inputs into classes; for all inputs
-// of a class, the same set of transitions is simultaneously fireable (JESA13 (11) to (13)). Only classes that contain
-// inputs are considered. Individual valuations of the inputs are never enumerated.
+// Conditions are represented by decision diagrams over the inputs. In a location, every variable of the chart is
+// constant, so that a firing condition is a function of the inputs. The firing conditions partition the inputs into
+// classes; for all inputs of a class, the same set of transitions is simultaneously fireable (JESA13 (11) to (13)).
+// Only non-empty classes are considered. Individual valuations of the inputs are never enumerated.
 //
 // With stability search, JESA13's Algorithm 6 is replaced by an algorithm that always terminates. From a stable
 // location, the algorithm follows each class of inputs through transient situations until the situation is stable. A
 // class is split if its inputs lead to different situations. If a path revisits one of its situations, the inputs of
-// the path never result in a stable situation: total instability.
+// the path never lead to a stable situation (total instability).
 #pragma once
 
 #include <atomic>
@@ -36,16 +36,16 @@ struct AutomatonOptions {
     std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< memory limit of decision diagrams in bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;  ///< cancellation flag, which another thread may set
-    /// True: if a limit, the deadline or `stop` ends the search, the result is an incomplete automaton, whose member
-    /// `complete` is false. False: the result is an error.
+    /// Determines the result if a limit, the deadline or `stop` ends the search. True: an incomplete automaton, whose
+    /// member `complete` is false. False: an error.
     bool partial = false;
     std::function<void(const ConformProgress&)> progress = {};  ///< called periodically
 };
 
-/// Returns the automaton of the chart, or nullopt after at least one reported error. Errors are: no inputs, no outputs,
-/// constraints that exclude every input, and an initial situation that never becomes stable. Further errors are two
-/// actions that store different values simultaneously, a value that is undefined or out of range, and (unless `partial`
-/// is true) a reached limit. Requires verify(equations).empty().
+/// Returns the automaton of the chart, or nullopt after at least one reported error. The function reports an error if
+/// the chart has no inputs or no outputs, if its constraints exclude every input, or if the initial situation never
+/// becomes stable. Further errors are a race of two actions, an undefined or out-of-range value, and (unless `partial`
+/// is true) a limit that is reached. Requires verify(equations).empty().
 std::optional<LocationAutomaton> location_automaton(const Equations& equations, const AutomatonOptions& options,
                                                     Diagnostics& diagnostics);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Computes the value of a term for the case that no transition fires: firing conditions in the term are replaced by
-// `false`, and the result is simplified by constant folding. If the next value of a variable is then the variable
-// itself, the variable changes only if a transition that the next value reads fires. Similarly, if the condition of a
-// race is then `false`, the race occurs only if a transition that the condition reads fires.
+// Determines the dependencies from the value of each term for the case that no transition fires: firing conditions in
+// the term are replaced by `false`, and the result is simplified by constant folding. If the next value of a variable
+// is then the variable itself, the variable changes only if a transition that the next value reads fires. Similarly, if
+// the condition of a race is then `false`, the race occurs only if a transition that the condition reads fires.
 #include "conform/dependencies.hpp"
 
 #include <algorithm>
@@ -48,8 +48,8 @@ private:
         return firing_of_[static_cast<std::size_t>(leaf.value)];
     }
 
-    /// Adds `guarded` and `unguarded`. The first operand of a firing condition is an upstream step, if the transition
-    /// has an upstream step.
+    /// Sets Dependencies::guarded and unguarded. If a transition has an upstream step, the first operand of its firing
+    /// condition is such a step.
     void add_guards(Dependencies& result) const {
         result.guarded.resize(layout_.fields.size());
         std::vector<std::optional<std::uint32_t>> field_of(equations_.variables.size());
@@ -65,7 +65,7 @@ private:
         }
     }
 
-    /// Returns `term`, in `scratch`, for the case that no transition fires.
+    /// Returns the value of `term` for the case that no transition fires, as a term in `scratch`.
     Id<Expr> while_quiet(Id<Expr> term, Exprs& scratch) const {
         return translate(exprs_, term, scratch, [&](const Expr& leaf) {
             return firing_of(leaf) ? scratch.constant(false)
@@ -79,8 +79,8 @@ private:
             if (const auto firing = firing_of(exprs_[leaf])) computed.by_firing[*firing].push_back(number);
     }
 
-    /// True if `stable` is the negation of a disjunction of terms that include the firing condition of every transition
-    /// that can fire.
+    /// True if the equation `stable` is the negation of a disjunction whose operands include the firing condition of
+    /// every transition that can fire.
     bool firing_unsettles() const {
         if (exprs_[equations_.stable].op != Op::Not) return false;
         const Id<Expr> changes = exprs_.operands(equations_.stable)[0];
@@ -97,7 +97,8 @@ private:
     const Equations& equations_;
     const Exprs& exprs_;
     const StateLayout& layout_;
-    std::vector<std::optional<std::uint32_t>> firing_of_;  ///< firing condition of each variable
+    /// For each variable: the index of the firing condition that it represents.
+    std::vector<std::optional<std::uint32_t>> firing_of_;
 };
 
 }  // namespace

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Dependencies of an evolution. The condition of a transition with upstream steps needs to be evaluated only if the
-// first upstream step is active. An equation whose value changes only by firing needs to be evaluated only if a
-// transition on which it depends fires. All other conditions of transitions and all other equations are always
-// evaluated. The conditions and equations that are not evaluated have known results: the condition is false, and the
-// variable keeps its value. The evaluation is efficient, because an evolution concerns only few of the many transitions
-// and variables in a large chart.
+// Determines which conditions and equations an evolution must evaluate. The condition of a transition with upstream
+// steps needs to be evaluated only if the first upstream step is active. An equation whose value changes only by firing
+// needs to be evaluated only if a transition on which it depends fires. All other conditions of transitions and all
+// other equations are always evaluated. If a condition is not evaluated, it is false; if an equation is not evaluated,
+// its variable keeps its value. This method saves time, because an evolution changes only few of the many variables in
+// a large chart.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ struct Dependencies {
     Numbers unguarded = {};  ///< transitions without an upstream step
     Computed fields = {};    ///< fields that may change; all other fields keep their values
     Computed races = {};     ///< stored variables to which two actions may write different values (race)
-    /// True if the situation before an evolution that fires a transition is never stable.
+    /// True if a situation is never stable when a transition fires in it.
     bool firing_unsettles = false;
 };
 

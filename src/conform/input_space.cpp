@@ -73,8 +73,8 @@ Id<Expr> Conditions::written(const Bdd& function) {
     return sum_of_products(function);
 }
 
-/// Returns `function` as a disjunction of cases, one for each value of an integer input. Values with the same remaining
-/// function are merged.
+/// Returns `function` as a disjunction of cases, one for each value of the integer input `input`. Values for which the
+/// remaining function is equal are merged.
 Id<Expr> Conditions::by_values(const Bdd& function, std::size_t input) {
     struct Case {
         Bdd rest = {};
@@ -140,9 +140,9 @@ Id<Expr> Conditions::sum_of_products(const Bdd& function) {
     return exprs_.disjunction(products);
 }
 
-/// Returns an irredundant sum of products between `least` and `most` (Minato 1993, ISOP). The recursion depth is at
-/// most the number of variables. The variables are in the order of their indices, because these spaces are not
-/// reordered.
+/// Returns an irredundant sum of products that `least` implies and that implies `most` (Minato 1993, ISOP). The
+/// recursion depth is at most the number of variables. The variables are in the order of their indices, because these
+/// spaces are not reordered.
 Conditions::Cover Conditions::cover(const Bdd& least, const Bdd& most) {
     if (least.is_false()) return {};
     if (most.is_true()) return {{{}}, Bdd::constant(true)};

@@ -16,8 +16,8 @@
 
 namespace grafverif::conform {
 
-/// Returns the error for a search that reached the memory limit of decision diagrams or the deadline, or that `stop`
-/// ended.
+/// Returns the error message for a search that ended because of the memory limit of decision diagrams, the deadline or
+/// the flag `stop`.
 Diagnostic limit_reached(const BddExhausted& exhausted, Span origin, const std::atomic<bool>* stop);
 
 /// Throws BddExhausted if the deadline has passed or the stop flag is set.
@@ -39,8 +39,8 @@ std::vector<NamedInput> named(const Inputs& inputs) {
     return all;
 }
 
-/// The space of inputs. Input k is represented by word k. The bits of a word are adjacent in the variable order, and
-/// the most significant bit is the topmost bit.
+/// InputSpace: represents the inputs of a chart by variables of decision diagrams. Input k is represented by word k.
+/// The bits of a word are adjacent in the variable order, and the most significant bit is the topmost bit.
 class InputSpace {
 public:
     InputSpace(std::vector<NamedInput> inputs, const BddLimits& limits);
@@ -74,7 +74,7 @@ private:
 /// Translates Boolean terms whose Variable leaves are inputs to sets of input combinations.
 class InputSets {
 public:
-    /// Both arguments must outlive this object.
+    /// `exprs` and `space` must outlive this object.
     InputSets(const Exprs& exprs, const InputSpace& space)
         : terms_(exprs, [&space](const Expr& leaf) { return space.term(static_cast<std::size_t>(leaf.value)); }) {}
 
@@ -89,8 +89,8 @@ private:
 };
 
 /// Translates functions of inputs to terms of an Exprs whose Variable leaves are the inputs. Each term is an
-/// irredundant sum of products (Minato 1993), and has the same value as the function for all assumed inputs. Each
-/// function is translated once.
+/// irredundant sum of products (Minato 1993), and has the same value as the function for all assumed inputs. A function
+/// that occurs several times is translated only once.
 class Conditions {
 public:
     Conditions(const InputSpace& space, Exprs& exprs) : space_(space), exprs_(exprs) {}

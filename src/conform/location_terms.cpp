@@ -48,8 +48,8 @@ LocationCondition LocationTerms::condition(Id<Expr> term, const Values& at) {
     return {std::move(found.function->bits.front()), std::move(found.function->undefined)};
 }
 
-/// Handles the most frequent case: a conjunction or disjunction in which each operand reads either only inputs or no
-/// inputs. An operand that reads no inputs has a constant value in the location.
+/// Evaluates a term in the most frequent case: a conjunction or disjunction in which each operand reads either only
+/// inputs or no inputs. An operand that reads no inputs has a constant value in the location.
 std::optional<Bdd> LocationTerms::plain_condition(Id<Expr> term, const Values& at) {
     const Op op = equations_.exprs[term].op;
     if (kinds_[term.index] != Kind::Mixed || (op != Op::And && op != Op::Or)) return {};
@@ -91,15 +91,15 @@ LocationValue LocationTerms::fixed(Id<Expr> term, const Values& at) const {
     return {number.value_or(0), !number, {}};
 }
 
-/// Returns the value of an And or Or of kind Mixed. The operands that are combined in `Split::inputs` are always
-/// defined; therefore, their position among the other operands is irrelevant.
+/// Returns the value of an And or Or of the kind Mixed, which reads both inputs and variables. The operands that are
+/// combined in `Split::inputs` are always defined; therefore, their position among the other operands is irrelevant.
 LocationValue LocationTerms::joined(Id<Expr> term, const Values& at) {
     const bool decides = equations_.exprs[term].op == Op::Or;
     const Split& parts = *split(term);
     std::optional<BddTerm> result;
     for (const Id<Expr> operand : parts.others) {
         LocationValue other = value(operand, at);
-        if (other.none) return anyhow(term, at);  // the evaluation of the other operands depends on the inputs
+        if (other.none) return anyhow(term, at);  // whether this undefined operand is evaluated depends on the inputs
         if (!other.function) {
             if ((other.number != 0) == decides) return other;
             continue;

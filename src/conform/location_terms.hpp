@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Values of terms of the equations in a location. Variables of the chart are constant in a location, so that the value
-// of a term is a number or a function of the inputs. Terms that read only inputs are evaluated once for all locations.
+// Computes the values of terms of the equations in a location. Variables of the chart are constant in a location, so
+// that the value of a term is a number or a function of the inputs. Terms that read only inputs are evaluated once for
+// all locations.
 #pragma once
 
 #include <cstdint>
@@ -44,8 +45,8 @@ public:
 
 private:
     enum class Kind : std::uint8_t { Fixed, OfInputs, Mixed };
-    /// The operands of a Mixed And or Or. Operands that read only inputs and are always defined are combined in
-    /// `inputs`.
+    /// The operands of an And or Or of the kind Mixed, which reads both inputs and variables. Operands that read only
+    /// inputs and are always defined are combined in `inputs`.
     struct Split {
         Bdd inputs = {};
         std::vector<Id<Expr>> others = {};

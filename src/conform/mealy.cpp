@@ -18,9 +18,9 @@ using Automaton = LocationAutomaton;
 using Location = Automaton::Location;
 using State = MealyMachine::State;
 
-/// A location with the elapsed times of its timers. For each level that timers observe, `ages` contains the time since
-/// the level became true, capped at the longest rise time, or -1 if the level is false. For each timer with a fall
-/// time, `falls` contains the time since the fall, or -1 if the timer is not running.
+/// A place: a location with the elapsed times of its timers. For each level that timers observe, `ages` contains the
+/// time since the level became true, capped at the longest rise time, or -1 if the level is false. For each timer with
+/// a fall time, `falls` contains the time since the fall, or -1 if the timer is not running.
 struct Place {
     Id<Location> location = {};
     std::vector<std::int64_t> ages = {}, falls = {};
@@ -30,12 +30,13 @@ struct Place {
 /// The successors of a place: the inputs that lead to each next place, and the inputs without a successor.
 struct Departures {
     std::map<Place, Bdd> to = {};
-    Bdd staying = {};  ///< inputs for which the place is stable; they are also contained in `to`
+    Bdd staying = {};  ///< inputs for which the place is stable; `to` also contains these inputs
     Bdd unstable = {};
     bool operator==(const Departures& other) const { return to == other.to && unstable == other.unstable; }
 };
 
-/// A level that timers observe: the output of one of these timers, and the longest of their rise times.
+/// A level (Boolean term) that timers observe, represented by the output of one of these timers and the longest of
+/// their rise times.
 struct Level {
     Automaton::Input watched = {};
     std::int64_t longest = 0;
@@ -107,7 +108,7 @@ private:
         return grafverif::level(automaton_.locations[location], level.watched);
     }
 
-    /// Returns the place after `evolution`, with the times of `before`, except for times that are restarted.
+    /// Returns the place after `evolution`. Elapsed times are taken from `before`, unless the evolution restarts them.
     Place arrival(const Place& before, const Automaton::Evolution& evolution) const {
         Place place{evolution.to, {}, before.falls};
         for (std::size_t k = 0; k < levels_.size(); ++k)
@@ -159,8 +160,8 @@ private:
         return result;
     }
 
-    /// Returns the place in which the controller stays if no event occurs. INIT is replaced by the location with the
-    /// same situation and values, if such a location exists.
+    /// Returns the place in which the controller stays if no event occurs. The location INIT is replaced by the
+    /// location with the same situation and values, if such a location exists.
     Place staying_place(const Place& place) const {
         if (place.location != automaton_.init) return place;
         Place same = place;
@@ -244,7 +245,8 @@ private:
         if (place.location != automaton_.init) add_waits(from, place, now.staying);
     }
 
-    /// Adds the transition in which time passes until the next timer event, under inputs for which the place is stable.
+    /// Adds the transition in which time passes until the next timer event, for the inputs `staying` under which the
+    /// place is stable.
     void add_waits(Id<State> from, const Place& place, const Bdd& staying) {
         const std::int64_t wait = next_end(place);
         if (wait == 0 || staying.is_false()) return;
@@ -259,8 +261,8 @@ private:
             if (const Bdd both = set & staying; !both.is_false()) add_transition(from, to, both, wait);
     }
 
-    /// Returns the time until the next timer event (a timer output rises or a fall time has elapsed), or 0 if no timer
-    /// is running.
+    /// Returns the time until the next timer event, that is, until a timer output becomes true or a fall time has
+    /// elapsed. Returns 0 if no timer is running.
     std::int64_t next_end(const Place& place) const {
         std::int64_t next = 0;
         const auto consider = [&next](std::int64_t wait) { next = next == 0 ? wait : std::min(next, wait); };
@@ -323,7 +325,7 @@ private:
     InputSpace space_;
     InputSets sets_;
     Conditions conditions_;
-    std::vector<std::uint32_t> bits_ = {};  ///< bits of inputs, except timer outputs
+    std::vector<std::uint32_t> bits_ = {};  ///< bits of the inputs of the chart, without timer outputs
     std::vector<Level> levels_ = {};
     std::vector<Timer> timers_ = {};
     std::size_t falls_ = 0;           ///< number of timers with a fall time

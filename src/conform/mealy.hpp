@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Converts a LocationAutomaton to a MealyMachine (JESA13 section 6) symbolically. For each pair of a next state and an
-// OutputWord, a state has at most one transition, which is labelled with a set of inputs.
+// OutputWord (one value per output), a state has at most one transition, which is labelled with a set of inputs.
 //
 // A chart with timers becomes a machine whose states include the elapsed times of all timers, so that the outputs of
 // the machine are exact at all times. Time passes only in `wait` transitions. A `wait` transition leads from a state
@@ -30,8 +30,8 @@ struct MealyOptions {
 std::optional<MealyMachine> mealy_machine(const LocationAutomaton& automaton, const MealyOptions& options,
                                           Diagnostics& diagnostics);
 
-/// Returns the minimal equivalent machine. Equivalent states are merged (Moore 1956) and named after all their
-/// situations. If a limit is reached, reports an error at `origin` and returns nullopt.
+/// Returns the minimal equivalent machine. Equivalent states are merged (Moore 1956); the name of a merged state lists
+/// the situations of all these states. If a limit is reached, reports an error at `origin` and returns nullopt.
 std::optional<MealyMachine> minimised(const MealyMachine& machine, const MealyOptions& options, Span origin,
                                       Diagnostics& diagnostics);
 

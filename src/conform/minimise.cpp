@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Partition refinement (Moore 1956). Two states remain in one class as long as, for the same inputs, they have the same
-// outputs and their successors are in the same class.
+// Minimises a machine by partition refinement (Moore 1956). Two states remain in one class as long as, for equal
+// inputs, they have equal outputs and their successors are in the same class.
 #include <algorithm>
 #include <map>
 #include <string>
@@ -32,10 +32,11 @@ public:
     }
 
 private:
-    /// Class of the successor, output and waiting time. The class is `no_class` if the machine never becomes stable for
-    /// these inputs.
+    /// A response: class of the successor, output word and waiting time. The class is `no_class` if the machine never
+    /// becomes stable for these inputs.
     using Response = std::tuple<std::uint32_t, std::uint32_t, std::int64_t>;
-    /// The inputs of each response. States with different signatures are in different classes.
+    /// The signature of a state: the set of inputs for each response. States with different signatures are in different
+    /// classes.
     using Signature = std::map<Response, Bdd>;
     static constexpr std::uint32_t no_class = 0xFFFFFFFFU;
 

@@ -4,18 +4,18 @@
 //   classes   In a state, the variables of the chart are constant, so the condition of each transition is a set of
 //             inputs. These sets partition the inputs into classes. For all inputs of a class, the same set of
 //             transitions fires (JESA13 (11) to (13)). Individual valuations of the inputs are never enumerated. Of the
-//             2^n sets of transitions, only sets that occur are enumerated.
+//             2^n sets of n transitions, only those sets are enumerated that fire for some inputs.
 //   parts     In a class, the firing conditions are also constant. Within a class, the next value of a variable is a
-//             number or, rarely, a function of the inputs, whose values split the class into parts. Variables without
-//             dependencies (dependencies.hpp) are unchanged.
+//             number or, rarely, a function of the inputs, whose values split the class into parts. Variables that do
+//             not depend on the firing transitions (dependencies.hpp) are unchanged.
 //   stable    A part is split by the stability condition of the equations. In a stable part, only previous values change.
 //   levels    The levels that timers observe are terms over the new values and the inputs. The values of these levels
 //             split the parts again.
 //
-// Each step is a partition. Therefore, the moves are disjoint and cover the initial set: the assumed inputs that are
-// consistent with the known timer outputs. All steps read the state before the evolution, `at`, which is constant. If
-// some input of a part has an undefined or out-of-range value, or a race, the search ends (NoResult): the chart has no
-// location automaton.
+// Each step of the computation partitions the inputs. Therefore, the moves are disjoint and cover the initial set: the
+// assumed inputs that are consistent with the known timer outputs. All steps read the state before the evolution, `at`,
+// which is constant. If some input of a part has an undefined or out-of-range value, or a race, the search ends
+// (NoResult): the chart has no location automaton.
 #include "conform/moves.hpp"
 
 #include <algorithm>
@@ -53,7 +53,7 @@ const std::vector<StateMove>& Moves::of(StateId state) {
 
 namespace {
 
-/// Restricts `moves` to inputs in `known`. Moves that become impossible are removed.
+/// Restricts `moves` to inputs in `known`, and removes moves without remaining inputs.
 std::vector<StateMove> supposing(const Bdd& known, std::vector<StateMove> moves) {
     if (known.is_true()) return moves;
     for (StateMove& move : moves) move.set = cofactor(move.set & known, known);
@@ -82,7 +82,8 @@ std::vector<StateMove> Moves::moves_of(StateId state) {
     const Values before = values(state);
     const Bdd known = known_ends(state, before);
     std::vector<StateMove> moves;
-    // `at` also contains the transitions that fire in the current class; one copy is used for all classes.
+    // `at` contains the variables before the evolution and the firing conditions of the current class; one copy is used
+    // for all classes.
     Values at = before;
     for (const Cell& cell : cells(before, space_.assumed() & known)) {
         for (const std::uint32_t firing : cell.fired) at[equations_.firings[firing].variable.index] = 1;
@@ -95,13 +96,14 @@ std::vector<StateMove> Moves::moves_of(StateId state) {
 
 // -- classes ----------------------------------------------------------------------------------------------------------
 
-/// The classes in which some transition fires. The partition is refined by one transition at a time.
+/// The classes of inputs for which some transition fires. The partition into classes is refined by one transition at a
+/// time.
 class Moves::Partition {
 public:
-    /// Refines the classes: transition `firing` fires under `condition`.
+    /// Refines the classes for transition `firing`, which fires for the inputs in `condition`.
     void cut(std::uint32_t firing, const Bdd& condition) {
         const Bdd alone = condition & ~touched_;
-        if (!(alone == condition)) {  // other transitions also fire in this set
+        if (!(alone == condition)) {  // other transitions also fire for some of these inputs
             const std::size_t count = cells_.size();
             for (std::size_t k = 0; k < count; ++k) {
                 Bdd both = cells_[k].set & condition;
@@ -180,7 +182,7 @@ std::vector<Moves::Region> Moves::evolved(const Cell& cell, const Values& at) {
 
 namespace {
 
-/// Returns the partition of `within` by the values of `term`.
+/// Returns the partition of `within` by the values of `term`, each part with its value.
 std::vector<std::pair<Bdd, std::int64_t>> by_value(const BddTerm& term, const Bdd& within, const InputSpace& space) {
     std::vector<std::pair<Bdd, std::int64_t>> pieces;
     for (Bdd rest = within; !rest.is_false();) {
@@ -194,8 +196,8 @@ std::vector<std::pair<Bdd, std::int64_t>> by_value(const BddTerm& term, const Bd
 
 }  // namespace
 
-/// Sets `field` to the value of `term` in each region of `parts`. A region in which this value depends on the inputs is
-/// split into one region per value.
+/// Records the new value of `field`, which is the value of `term`, in each region of `parts`. A region in which this
+/// value depends on the inputs is split into one region per value.
 std::vector<Moves::Region> Moves::given(std::vector<Region> parts, std::uint32_t field, Id<Expr> term,
                                         const Values& at) {
     const Equations::Variable& variable = equations_.variables[layout_.fields[field].kept.variable];
@@ -222,7 +224,7 @@ std::vector<Moves::Region> Moves::given(std::vector<Region> parts, std::uint32_t
     return found.function ? std::move(pieces) : std::move(parts);
 }
 
-/// Splits the part by the new values of the levels that timers observe.
+/// Splits a part by the new values of the levels (Boolean terms) that timers observe.
 std::vector<Moves::Region> Moves::with_levels(Region part, const Values& at) {
     std::vector<Region> parts;
     parts.push_back(std::move(part));
@@ -284,7 +286,7 @@ std::vector<std::size_t> Moves::marked(StateId state, std::uint32_t StateLayout:
     return timers;
 }
 
-/// Returns the outputs of those timers whose outputs are determined by the events of the current instant.
+/// Returns a cube with the outputs of those timers whose output values the events of the current instant determine.
 Bdd Moves::known_ends(StateId state, const Values& at) const {
     std::vector<BddLiteral> known;
     for (std::size_t k = 0; k < layout_.timers.size(); ++k) {
@@ -299,8 +301,9 @@ Bdd Moves::known_ends(StateId state, const Values& at) const {
     return cube(space_.space(), known);
 }
 
-/// Returns the moves from power-on. Before power-on, no level holds and no timer has expired. For timers with a fall
-/// time, whose output can remain true longer than the level, the sets contain the condition that the output is false.
+/// Returns the moves from power-on. Before power-on, no level holds and no timer has expired. The output of a timer
+/// with a fall time can remain true longer than its level; therefore, the input sets of the moves require explicitly
+/// that this output is false.
 std::vector<StateMove> Moves::first() {
     const Values& at = initial_;
     PackedState initial(layout_.words);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Moves: one evolution of the chart from a state, for all inputs simultaneously. Each move has a set of input values
-// and the next state. The input sets of the moves of a state are disjoint and together cover the assumed inputs.
+// Moves: computes one evolution of the chart from a state, for all inputs simultaneously. Each move consists of a set
+// of input values and the next state. The input sets of the moves of a state are disjoint and together cover the
+// assumed inputs.
 //
-// Timer outputs are treated as inputs. The input sets of a state do not depend on timer outputs whose values the state
-// determines: `3s/v` is false if v is false or has just become true; `v/2s` is true if v is true or has just become
-// false.
+// Timer outputs are treated as inputs. If the state determines the value of a timer output, the input sets do not
+// depend on this output: `3s/v` is false if v is false or has just become true; `v/2s` is true if v is true or has just
+// become false.
 #pragma once
 
 #include <cstdint>
@@ -40,14 +41,14 @@ public:
     /// All arguments must outlive this object. The constructor and all member functions can throw NoResult.
     Moves(const Equations& equations, const InputOf& inputs, const InputSpace& space);
 
-    /// Returns the moves of the evolution that activates the initial steps.
+    /// Returns the moves of the first evolution, after which the initial steps are active.
     std::vector<StateMove> first();
     /// Returns the moves of `state`; stable moves precede all other moves.
     const std::vector<StateMove>& of(StateId state);
 
     /// Returns `state` with the flags `fresh` and `falling` of all timers cleared.
     StateId settled(StateId state);
-    /// Return the indices of the timers of the equations that are fresh, or falling, in `state`.
+    /// `fresh` and `falling` return the indices of the timers of the equations that have this mark in `state`.
     std::vector<std::size_t> fresh(StateId state) const { return marked(state, &StateLayout::Timer::fresh); }
     std::vector<std::size_t> falling(StateId state) const { return marked(state, &StateLayout::Timer::falling); }
 
@@ -63,7 +64,7 @@ private:
     };
     class Partition;
     using Changes = std::vector<std::pair<std::uint32_t, std::int64_t>>;  ///< pairs of field and value
-    /// A subset of the inputs of a cell, together with the changes that the evolution makes for these inputs.
+    /// A subset of the inputs of a class, together with the changes that the evolution makes for these inputs.
     struct Region {
         Bdd set = {};
         Changes changes = {};

@@ -83,9 +83,9 @@ private:
         return std::uint64_t{state} * combinations_ + inputs;
     }
 
-    /// Adds one arc per state and input combination. A transition that stays in its state needs no separate arc in two
-    /// cases: another arc arrives in this state with the same inputs and stays there, or a wait with these inputs
-    /// starts in this state. In both cases, the option `one_cycle_each` must not be set.
+    /// Adds one arc per state and input combination. Unless the option `one_cycle_each` is set, a transition that stays
+    /// in its state needs no separate arc in two cases: another arc arrives in the state with the same inputs and stays
+    /// there, or a wait with these inputs starts in the state.
     void list_all() {
         combinations_ = 1;
         for (const MealyMachine::Variable& input : machine_.inputs)
@@ -133,8 +133,9 @@ private:
         to_cover_ = static_cast<std::uint64_t>(std::ranges::count(entered, true));
     }
 
-    /// Returns the inputs under which the machine stays in the target of `arrival` with the same output. If states were
-    /// merged, the output in the state may differ from the output on arrival; such inputs are not included.
+    /// Returns the inputs under which the machine stays in the target of `arrival` with the output of `arrival`. If
+    /// states were merged, a machine that stays in the state may write another output than on arrival; such inputs are
+    /// not included.
     const Bdd& staying(const MealyMachine::Transition& arrival) {
         const auto [place, added] = staying_.try_emplace({arrival.to, arrival.answer});
         if (!added) return place->second;
@@ -163,7 +164,7 @@ private:
     TestSequence::Sequence steps(const std::vector<std::uint32_t>& tour) {
         TestSequence::Sequence sequence;
         const TestSequence::Step* last = nullptr;
-        bool held = false;  // true if the last step keeps the machine in its state under its inputs
+        bool held = false;  // true if the machine stays in its state when the inputs of the last step are applied again
         for (const std::uint32_t index : tour) {
             const TourArc& arc = arcs_[index];
             const std::vector<std::int64_t> inputs = values(arc.inputs);
@@ -186,7 +187,7 @@ private:
                }).value_or(0) != 0;
     }
 
-    /// Returns the output of `state` while the machine stays in it.
+    /// Returns the output that the machine writes while it stays in `state` under `inputs`.
     std::vector<std::int64_t> staying_answer(std::uint32_t state, const std::vector<std::int64_t>& inputs) const {
         for (const MealyMachine::Transition& transition : transitions_from(machine_, {state}))
             if (transition.to.index == state && transition.wait_ms == 0 && holds(transition.condition, inputs))
@@ -212,7 +213,7 @@ private:
     std::vector<std::vector<std::int64_t>> witnesses_ = {};
     std::map<std::pair<Id<State>, Id<MealyMachine::OutputWord>>, Bdd> staying_ = {};
     std::uint64_t to_cover_ = 0;
-    std::uint64_t crossed_before_waits_ = 0;  ///< number of stable transitions covered only by the step before a wait
+    std::uint64_t crossed_before_waits_ = 0;  ///< number of stable transitions that only the step before a wait covers
 };
 
 /// Returns the total number of bits of all inputs.

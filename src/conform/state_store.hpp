@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// States: the values that the chart stores between evolutions. States are packed into words, and equal states are
-// stored only once (hash consing).
+// StateStore: stores states, which are the values that the chart keeps between evolutions. States are packed into
+// words, and equal states are stored only once (hash consing).
 //
 // A state contains step activities, stored variables, previous values, and the levels that timers observe. For each
 // timer, a state also contains the events of the observed level in the current instant: the level became true
@@ -19,7 +19,7 @@ namespace grafverif::conform {
 
 using PackedState = std::vector<std::uint64_t>;
 
-/// Positions of the fields in a packed state.
+/// The positions of the fields in a packed state.
 struct StateLayout {
     struct Field {
         Kept kept = {};
@@ -28,7 +28,7 @@ struct StateLayout {
         std::uint64_t mask = 0;  ///< mask of the value, not shifted
     };
     struct Timer {
-        std::uint32_t fresh = 0, falling = 0;  ///< bit positions
+        std::uint32_t fresh = 0, falling = 0;  ///< bit positions of the two marks
         std::uint32_t level = 0;               ///< bit position of the observed level
     };
 
@@ -59,7 +59,7 @@ public:
         return {packed_.data() + std::size_t{state} * words_, words_};
     }
 
-    /// Returns the number of the state. Stores the state if it is new.
+    /// Returns the number of the state `state`. If the state is not in the store, adds it.
     StateId intern(std::span<const std::uint64_t> state);
 
 private:

@@ -2,19 +2,20 @@
 // Converts a MealyMachine to a TestSequence: a transition tour (Naito, Tsunoyama, Nagaoka 1981; JESA13 section 6). For
 // a cover of transitions or evolutions, the length of the tour is minimal.
 //
-// The transitions or evolutions to cover are arcs of a graph whose nodes are the states. A tour that traverses each of
-// these arcs at least once is a directed rural postman tour. Every state is reachable from the initial state by arcs
-// that the tour must cover. Therefore, a minimum-cost flow that balances incoming and outgoing arcs of each state has
-// the minimal number of repeated arcs (Edmonds and Johnson 1973). An Eulerian circuit of the balanced graph traverses
-// all arcs. The flow is a lower bound of the length, and the circuit attains this bound.
+// The transitions or evolutions to cover are arcs of a graph whose nodes are the states. A shortest tour that traverses
+// each of these arcs at least once solves a directed rural postman problem. Every state is reachable from the initial
+// state by arcs that the tour must cover. Therefore, a minimum-cost flow that balances incoming and outgoing arcs of
+// each state determines the minimal number of repeated arcs (Edmonds and Johnson 1973). An Eulerian circuit of the
+// balanced graph traverses all arcs. The flow gives a lower bound of the length, and the circuit attains this bound.
 //
 // A test step of two cycles also traverses a second, stable transition, which stays in the reached state. A stable
 // transition needs no separate step if the tour arrives in its state with the inputs of this transition. If the graph
-// is strongly connected, there is one sequence. If not, there may be several sequences, each from power-on. Their total
-// length is minimal, and among all solutions of this length, their number is minimal.
+// is strongly connected, the test has one sequence. Otherwise, the test may have several sequences, each from power-on.
+// The total length of the sequences is minimal, and among all solutions of this length, the number of sequences is
+// minimal.
 //
-// For a cover of locations, the tour repeatedly goes to the nearest unvisited state. The tour is short, but it is
-// proved minimal only if no step is repeated.
+// For a cover of locations, the tour repeatedly goes to the nearest unvisited state. This tour is short, but it is
+// proved to be minimal only if it repeats no step.
 #pragma once
 
 #include <cstdint>

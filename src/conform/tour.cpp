@@ -17,8 +17,8 @@ namespace grafverif::conform {
 
 namespace {
 
-// Minimum-cost flow on arcs with unlimited capacity, by the primal-dual method. The method alternately computes
-// shortest distances under reduced costs and a maximum flow along arcs of reduced cost zero.
+// Computes a minimum-cost flow on arcs with unlimited capacity by the primal-dual method. This method alternately
+// computes shortest distances under reduced costs and a maximum flow along arcs of reduced cost zero.
 
 class Flow {
 public:
@@ -52,8 +52,8 @@ private:
     }
 
     std::vector<Half> halves_ = {};
-    std::vector<std::vector<std::uint32_t>> out_ = {};  ///< half arcs from each node
-    std::vector<std::int64_t> supply_ = {};             ///< remaining supply or demand
+    std::vector<std::vector<std::uint32_t>> out_ = {};  ///< indices of the half arcs from each node
+    std::vector<std::int64_t> supply_ = {};             ///< remaining supply of each node; a negative value is a demand
     std::vector<std::int64_t> potential_ = {};
 };
 
@@ -130,7 +130,7 @@ std::optional<std::vector<std::uint32_t>> Flow::levels_to_demand() const {
 /// Sends the supply of `source` along the level graph as far as possible. `next` contains, per node, the first half arc
 /// that is not exhausted.
 void Flow::drain(std::uint32_t source, const std::vector<std::uint32_t>& level, std::vector<std::size_t>& next) {
-    std::vector<std::uint32_t> path;  // path as half arcs
+    std::vector<std::uint32_t> path;  // current path from `source`; its elements are indices of half arcs
     while (supply_[source] > 0) {
         const std::uint32_t node = path.empty() ? source : halves_[path.back()].to;
         if (supply_[node] < 0) {
@@ -153,7 +153,8 @@ void Flow::drain(std::uint32_t source, const std::vector<std::uint32_t>& level, 
     }
 }
 
-/// Sends the minimum of the supply of `source`, the demand of `target` and the capacity of the path.
+/// Increases the flow along `path` by the minimum of the supply of `source`, the demand of `target` and the capacity of
+/// the path.
 void Flow::send(std::uint32_t source, std::uint32_t target, const std::vector<std::uint32_t>& path) {
     std::int64_t amount = std::min(supply_[source], -supply_[target]);
     for (const std::uint32_t index : path) amount = std::min(amount, halves_[index].capacity);
@@ -167,7 +168,7 @@ void Flow::send(std::uint32_t source, std::uint32_t target, const std::vector<st
 
 constexpr std::uint32_t none = 0xFFFFFFFFU;
 
-/// Arcs by source node. The arcs of node n are order[first[n]] to order[first[n + 1] - 1].
+/// The arcs, grouped by source node. The arcs of node n are order[first[n]] to order[first[n + 1] - 1].
 struct Leaving {
     std::vector<std::uint32_t> first = {}, order = {};
 
@@ -179,8 +180,8 @@ struct Leaving {
     }
 };
 
-/// Returns one arc per pair of different nodes: the first arc without a waiting time, or the first arc if all arcs of
-/// the pair have a waiting time.
+/// Returns one arc for each pair of different nodes that are connected: the first arc without a waiting time, or the
+/// first arc if all arcs of the pair have a waiting time.
 std::vector<std::uint32_t> distinct_arcs(const std::vector<TourArc>& arcs) {
     std::vector<std::uint32_t> all;
     for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)
@@ -214,15 +215,15 @@ bool strongly_connected(std::uint32_t nodes, std::uint32_t start, const std::vec
     return count == nodes;
 }
 
-/// How often a tour traverses each arc and ends in each node.
+/// The number of times that a tour traverses each arc and ends in each node.
 struct Crossings {
     std::vector<std::uint32_t> arcs = {};
-    std::vector<std::int64_t> ends = {};  ///< number of power cycles in each node
+    std::vector<std::int64_t> ends = {};  ///< for each node: number of sequences that end in the node (power cycles)
     std::int64_t starts = 1;
 };
 
-/// Balances the incoming and outgoing arcs of each node at minimum cost. Node `nodes` represents the controller without
-/// power; sequences start and end there.
+/// Balances the incoming and outgoing arcs of each node at minimum cost. The additional node with the index `nodes`
+/// represents the controller without power, in which sequences start and end.
 Crossings balanced(std::uint32_t nodes, std::uint32_t start, const std::vector<TourArc>& arcs) {
     const std::vector<std::uint32_t> distinct = distinct_arcs(arcs);
     const bool several = !strongly_connected(nodes, start, arcs, distinct);
@@ -292,7 +293,7 @@ public:
 private:
     struct Visit {
         std::uint32_t node = 0;
-        std::uint32_t arc = none;  ///< incoming arc
+        std::uint32_t arc = none;  ///< index of the incoming arc
     };
 
     static std::uint64_t key(std::uint32_t node, std::uint32_t inputs) { return (std::uint64_t{node} << 32U) | inputs; }
@@ -314,7 +315,7 @@ private:
     const std::vector<TourArc>& arcs_;
     Crossings left_;
     Leaving leaving_;
-    /// For each node: the first of its arcs for which traversals may remain.
+    /// For each node: the first outgoing arc for which traversals may remain.
     std::vector<std::uint32_t> next_;
     std::unordered_map<std::uint64_t, std::uint32_t> waits_ = {};
 };
@@ -367,7 +368,8 @@ private:
     const std::vector<TourArc>& arcs_;
     Leaving leaving_;
     std::uint32_t round_ = 0;
-    /// For each node: the last search that visited the node, and the arc by which the search reached it.
+    /// For each node: the number of the last search that visited the node (`seen_in_`), and the arc by which this
+    /// search reached the node (`by_`).
     std::vector<std::uint32_t> seen_in_, by_;
 };
 

@@ -7,14 +7,14 @@
 
 namespace grafverif::conform {
 
-/// An arc of the graph; one step of a test traverses it. An arc with a positive `wait_ms` must follow an arc with the
-/// same inputs.
+/// An arc of the graph, which one step of a test traverses. An arc with a positive `wait_ms` must follow an arc with
+/// the same inputs.
 struct TourArc {
     std::uint32_t from = 0, to = 0;
     std::uint32_t inputs = 0;  ///< number that identifies the input combination of the arc
     std::uint32_t answer = 0;
     std::int64_t wait_ms = 0;
-    bool stays = false;  ///< true if the machine stays in `to` if the inputs of the arc are applied again
+    bool stays = false;  ///< true if the machine stays in `to` when the inputs of the arc are applied again
 };
 
 struct Tour {

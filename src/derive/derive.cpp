@@ -18,7 +18,7 @@ namespace grafverif {
 
 namespace {
 
-/// Properties of each term of a chart with respect to edges of signals.
+/// For each term of a chart: its properties with respect to edges of signals.
 struct Edges {
     std::vector<bool> occur = {};   ///< true if the term contains an edge
     std::vector<bool> needed = {};  ///< true if the term is false whenever no edge occurs
@@ -40,7 +40,8 @@ bool needs_edge(const Exprs& exprs, Id<Expr> term, const std::vector<bool>& need
     }
 }
 
-/// Determines the properties of all terms in one pass, which is possible because operands precede their term.
+/// Determines the properties of all terms in one pass. One pass is sufficient, because operands precede the terms that
+/// contain them.
 Edges edges(const Exprs& exprs) {
     const std::vector<bool> none(exprs.size());
     Edges result{none, none, none, none};
@@ -83,14 +84,15 @@ struct Refusal {
                 diagnostics.add(messages::edge_of_edge(action.origin));
     }
 
-    /// Reports edges in assignation conditions: an action with such a condition would not be continuous.
+    /// Reports edges in assignation conditions, because an action whose condition contains an edge would not be
+    /// continuous.
     void continuous_actions() const {
         for (const Chart::ContinuousAction& action : chart.continuous)
             if (edge.occur[action.condition.index])
                 diagnostics.add(messages::edge_in_assignation(action.origin, chart.variables[action.output].name));
     }
 
-    /// Reports events whose term can be true without an edge: an event is instantaneous, so that its term must require
+    /// Reports events whose term can be true without an edge. An event is instantaneous, so that its term must require
     /// an edge.
     void events() const {
         for (const Chart::StoredAction& action : chart.stored)
@@ -99,7 +101,7 @@ struct Refusal {
     }
 };
 
-/// Reports forbidden edges, and events that do not require an edge. Returns true after a report.
+/// Reports forbidden edges, and events that do not require an edge. Returns true if at least one error was reported.
 bool misplaced_edges(const Chart& chart, Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
     const Refusal refusal{chart, diagnostics, edges(chart.exprs)};
@@ -156,7 +158,7 @@ void index_actions(Derivation& derivation) {
         const Expr& node = chart.exprs[Id<Expr>{index}];
         bool reads = node.op == Op::Variable &&
                      is_continuous(derivation, Id<Chart::Variable>{static_cast<std::uint32_t>(node.value)});
-        if (node.op == Op::Timed) {  // the observed term of a time condition precedes the time condition
+        if (node.op == Op::Timed) {  // the observed term was processed earlier, because it precedes the time condition
             const Id<Chart::TimeCondition> timed{static_cast<std::uint32_t>(node.value)};
             reads = derivation.reads_output[chart.time_conditions[timed].watched.index];
         }
@@ -167,10 +169,10 @@ void index_actions(Derivation& derivation) {
 }
 
 /// Returns the stability condition, which is true if one more cycle with the same inputs changes nothing. A stored
-/// value changes only when a transition is cleared, when a step changes (which also requires a clearing), or at an
-/// event. From power-on, forced and enclosed charts are consistent with their forcing orders and enclosing steps. They
-/// change only when one of these orders or steps changes. In one more cycle, no signal has an edge; therefore, a
-/// condition such as `!rise(a)` can become true.
+/// value changes only when a transition is cleared, when a step changes (which requires that a transition is cleared),
+/// or at an event. From power-on, forced and enclosed charts are consistent with their forcing orders and enclosing
+/// steps. These charts change only when one of these orders or steps changes. In one more cycle, no signal has an edge;
+/// therefore, a condition such as `!rise(a)` can become true.
 Id<Expr> stable(Derivation& derivation) {
     const Chart& chart = derivation.chart;
     const Equations& equations = derivation.equations;

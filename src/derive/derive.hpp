@@ -3,9 +3,10 @@
 // stored actions and by timers for time conditions.
 //
 // Mapping:
-//   variable    -> the variable of the same index, type and initial value: the variables of the chart come first
-//   step        -> X_2, or X_G2_2 in the partial chart G2, and its activity (12)
-//   transition  -> CF_T0 and its firing condition (11)
+//   variable    -> the variable with the same index, type and initial value: the variables of the chart precede all
+//               others
+//   step        -> the variable X_2, or X_G2_2 in the partial chart G2, and its activity (12)
+//   transition  -> the variable CF_T0 and its firing condition (11)
 //   time condition 3s/X2 -> the timer T_X2_3s and its output T_X2_3s_Q, one per step and duration
 //   output      -> its equation (13); false if it has no action
 //   variable with stored actions -> its next value, its race condition, its value after the first evolution

@@ -42,8 +42,9 @@ private:
         return owner.valid() ? chart_.steps[owner].chart : Id<Partial>{};
     }
 
-    /// Checks that no chart contains itself. Each chart has at most one owner. Therefore, there is a cycle if and only
-    /// if the path from some chart to its owner, the owner of its owner, and so on reaches a chart twice.
+    /// Checks that no chart contains itself. Each chart has at most one owner (macro-step or enclosing step).
+    /// Therefore, a cycle exists if and only if the path from some chart to the charts of its successive owners reaches
+    /// a chart twice.
     void check_ownership() {
         std::vector<std::uint32_t> trail(chart_.partial_charts.size(), Id<Partial>::none);
         for (const Id<Partial> start : chart_.partial_charts.ids())
@@ -119,8 +120,8 @@ private:
         return inner == region;
     }
 
-    /// Sorts the root charts by Kahn's algorithm. Charts that the algorithm does not sort lie on a cycle or depend on a
-    /// chart on a cycle.
+    /// Sorts the root charts by Kahn's algorithm. Charts that the algorithm cannot sort are on a cycle, or depend on a
+    /// chart that is on a cycle.
     void sort_root_charts() {
         std::vector<std::vector<Id<Partial>>> below(chart_.partial_charts.size());
         std::vector<std::size_t> waits(chart_.partial_charts.size());
@@ -146,9 +147,9 @@ private:
         }
     }
 
-    /// Determines the initial situation (IEC 60848, rule 1). This function first activates the steps declared as
-    /// initial. Then, in topological order of the charts, it applies the forcing orders of active steps and deactivates
-    /// the charts whose enclosing step is inactive.
+    /// Determines the initial situation (IEC 60848, rule 1). First, the steps that are declared as initial are active.
+    /// Then, in topological order of the charts, the forcing orders of active steps are applied, and the charts whose
+    /// enclosing step is inactive are deactivated.
     void find_initial() {
         std::vector<bool>& initial = result_.initial;
         initial.resize(chart_.steps.size());
@@ -193,8 +194,8 @@ private:
         }
     }
 
-    /// Checks two forcing orders that concern `forced`. A conflict is reported only once, for the partial chart that
-    /// one order names and that belongs to the region of the other order.
+    /// Checks two forcing orders that concern `forced`. A conflict is reported only once: for the partial chart that
+    /// one of the orders names and that belongs to the region of the other order.
     void check_pair(Id<Partial> forced, Id<Chart::ForcingOrder> one, Id<Chart::ForcingOrder> other) {
         const Chart::ForcingOrder& first = chart_.forcing[one];
         const Chart::ForcingOrder& second = chart_.forcing[other];
@@ -207,7 +208,7 @@ private:
             diagnostics_.add(messages::forced_twice(second.origin, partial(forced).name, first.origin));
             return;
         }
-        // True if `second` forces the expansion, and `first` forces the chart that contains the expansion.
+        // True if `second` names the expansion, and `first` names the chart that contains the expansion.
         const bool own = second.forced == forced;
         const Chart::ForcingOrder& inner = own ? second : first;
         const Chart::ForcingOrder& whole = own ? first : second;
@@ -215,8 +216,8 @@ private:
             messages::forced_beside(inner.origin, partial(forced).name, partial(whole.forced).name, whole.origin));
     }
 
-    /// Checks the forcing orders of partial charts that evolve in parallel. A conflict is reported only once for a pair
-    /// of partial charts.
+    /// Checks two forcing orders of partial charts that evolve in parallel. A conflict is reported only once for each
+    /// pair of partial charts.
     void check_parallel(const Chart::ForcingOrder& first, const Chart::ForcingOrder& second) {
         if (first.forced != second.forced || !in_parallel(first.step, second.step)) return;
         const auto key = std::minmax(chart_.steps[first.step].chart.index, chart_.steps[second.step].chart.index);
@@ -224,8 +225,9 @@ private:
             diagnostics_.add(messages::forced_differently(second.origin, partial(first.forced).name, first.origin));
     }
 
-    /// Returns false if the steps, or the macro-steps or enclosing steps that contain them, are different steps of one
-    /// partial chart, because such steps may exclude each other.
+    /// True if the two steps may be active simultaneously. The result is false if the steps, or the macro-steps or
+    /// enclosing steps that contain them, are different steps of one partial chart, because such steps may exclude each
+    /// other.
     bool in_parallel(Id<Chart::Step> one, Id<Chart::Step> other) const {
         for (Id<Chart::Step> above = one; above.valid(); above = partial(chart_.steps[above].chart).owner)
             for (Id<Chart::Step> beyond = other; beyond.valid(); beyond = partial(chart_.steps[beyond].chart).owner)

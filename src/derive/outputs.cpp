@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Derives equation (13) of CEP13 for every output without stored actions: a disjunction over its continuous actions.
-// The operand of an action is the conjunction of its step activity and assignation condition. An output that a
-// condition reads is derived before the output whose action has this condition. A cycle among outputs is an error.
+// The operand of an action is the conjunction of its step activity and assignation condition. If a condition of an
+// action reads an output, this output is derived before the output that the action sets. A cycle among outputs is an
+// error.
 #include <algorithm>
 #include <array>
 
@@ -12,8 +13,8 @@ namespace grafverif {
 
 namespace {
 
-/// An output whose equation is being derived, the outputs that its conditions read, and the positions of the actions
-/// with these conditions.
+/// An output whose equation is being derived, with the outputs that the conditions of its actions read, and the
+/// positions of these actions.
 struct Visit {
     struct Read {
         Id<Chart::Variable> output = {};
@@ -45,8 +46,8 @@ Visit visit(const Derivation& derivation, Id<Chart::Variable> output) {
     return result;
 }
 
-/// Returns `3s/X` for a delayed action, and `not 3s/X` for a time-limited action. The time limit begins when the delay
-/// ends.
+/// Returns the time condition of an action on the step X: `3s/X` for a delayed action, and `not 3s/X` for a
+/// time-limited action. The time limit begins when the delay ends.
 Id<Expr> time_of(Derivation& derivation, const Chart::ContinuousAction& action) {
     Exprs& exprs = derivation.equations.exprs;
     const auto active_for = [&](std::int64_t duration) {

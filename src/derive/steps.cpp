@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Derives equations (11) and (12) of CEP13, extended by the hierarchy. Charts that force or enclose other charts are
-// processed first, because their new step activities are used in the terms of the other charts:
+// processed first, because the equations of the forced or enclosed charts use their new step activities:
 //
 //   X_s' = X_e' and (raised or ((base or linked) and not cleared))
 //     base      equation (12)
-//     X_e'      the step that encloses the chart of s remains or becomes active
-//     linked    s has an activation link, and the enclosing step becomes active while no order keeps the current
-//               situation of the chart
+//     X_e'      the step e that encloses the chart of s remains or becomes active
+//     linked    s has an activation link, and the enclosing step becomes active while no forcing order keeps the chart
+//               in its current situation
 //     raised    an active forcing order for the chart of s activates s
 //     cleared   an active forcing order for the chart of s deactivates s
 //   X_M' = disjunction of X_s', s in the expansion of the macro-step M
@@ -25,7 +25,7 @@ namespace {
 
 using Order = Id<Chart::ForcingOrder>;
 
-/// Returns the conjuncts that enable `transition`, without its condition.
+/// Returns the conjuncts under which `transition` is enabled, without its transition condition.
 std::vector<Id<Expr>> enabling(Derivation& derivation, const Chart::Transition& transition) {
     const Chart& chart = derivation.chart;
     const Hierarchy& hierarchy = derivation.hierarchy;
@@ -62,7 +62,8 @@ public:
             if (chart_.steps[step].activation_link) linked_[hierarchy_.entered[step.index].index] = true;
         std::vector<Equations::StepActivity>& steps = derivation_.equations.steps;
         steps.resize(chart_.steps.size());
-        std::vector<std::vector<Id<Chart::PartialChart>>> expansions(chart_.partial_charts.size());  // by root chart
+        // Expansions by root chart.
+        std::vector<std::vector<Id<Chart::PartialChart>>> expansions(chart_.partial_charts.size());
         for (const Id<Chart::PartialChart> id : chart_.partial_charts.ids())
             if (hierarchy_.root_chart[id.index] != id) expansions[hierarchy_.root_chart[id.index].index].push_back(id);
         for (const Id<Chart::PartialChart> root_chart : hierarchy_.order) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Derives the equations of stored actions (IEC 60848). Actions that store the same value in a variable form a group. A
-// race occurs if two groups with different values are triggered in one cycle. For n groups with constant values, divide
-// and conquer yields a race condition of size n log n: there is a race within one half of the groups, or each half
-// contains a triggered group.
+// race occurs if two groups with different values are triggered in one cycle. For n groups with constant values, the
+// race condition is built recursively and has the size O(n log n): there is a race if two groups in one half of the
+// groups race, or if each half contains a triggered group.
 #include <algorithm>
 #include <array>
 
@@ -22,7 +22,7 @@ struct Group {
 /// The writes of all actions on `variable`, in order. The list is incomplete after an error.
 struct Writes {
     std::vector<Equations::Write> list = {};
-    std::vector<Id<Expr>> first = {};  ///< values that initial actions store in the first evolution
+    std::vector<Id<Expr>> first = {};  ///< values that actions of initial steps store in the first evolution
 };
 
 Writes writes(Derivation& derivation, Id<Chart::Variable> variable) {
@@ -58,7 +58,8 @@ std::vector<Group> groups(Exprs& exprs, const std::vector<Equations::Write>& wri
     return result;
 }
 
-/// Returns the condition that two of the `groups`, which have different constant values, are triggered in one cycle.
+/// Returns the condition that two of the `groups` are triggered in one cycle. Requires that the groups have different
+/// constant values.
 Id<Expr> constant_race(Derivation& derivation, std::span<const Group> groups) {
     Exprs& exprs = derivation.equations.exprs;
     if (groups.size() < 2) return exprs.constant(false);
@@ -130,7 +131,8 @@ Equations::Stored stored_equation(Derivation& derivation, Id<Chart::Variable> va
     result.next = next(exprs, grouped, before);
     result.race = race(derivation, grouped);
     result.first = before;
-    std::vector<Id<Expr>> differing;  // terms `value != result.first` for the values of initial actions
+    // Terms `value != result.first` for the values that actions of initial steps store.
+    std::vector<Id<Expr>> differing;
     if (!written.first.empty()) result.first = written.first.front();
     for (const Id<Expr> value : written.first)
         if (value != result.first) differing.push_back(exprs.apply(Op::NotEqual, result.first, value));

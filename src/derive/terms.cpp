@@ -14,8 +14,8 @@ constexpr std::uint64_t saturated = std::uint64_t{1} << 40U;
 
 std::uint64_t sum(std::uint64_t left, std::uint64_t right) { return std::min(saturated, left + right); }
 
-/// Returns the size that the term `root` of the chart has after equations replace its outputs. A subterm that
-/// reads no output counts as one node.
+/// Returns the size that the term `root` of the chart has after its outputs are replaced by their equations. A subterm
+/// that reads no output counts as one node.
 std::uint64_t replaced_size(Derivation& derivation, Id<Expr> root,
                             std::unordered_map<std::uint32_t, std::uint64_t>& known) {
     const Chart& chart = derivation.chart;
@@ -61,7 +61,7 @@ Id<Expr> timed(Derivation& derivation, Id<Chart::TimeCondition> id) {
     return time_condition(exprs, written.rise_ms, watched, written.fall_ms, end_leaf(derivation, running));
 }
 
-/// Translates a term of the chart for one position in the cycle.
+/// Translates a term of the chart to a term over the equations, for one TermPosition.
 Id<Expr> copied(Derivation& derivation, Id<Expr> root, TermPosition reading, Span where) {
     Exprs& exprs = derivation.equations.exprs;
     const auto leaf = [&](const Expr& node) {

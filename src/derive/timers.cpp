@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Creates the state variables of the equations: previous values of terms with edges, values observed by timers, and
-// timers (IEC 60848; CEP13 Fig. 33b). A variable is created on first use, so that values that no equation reads are not
-// stored.
+// Creates the state variables of the equations: previous values of terms whose edges are read, values that timers
+// observe, and timers (IEC 60848; CEP13 Fig. 33b). A variable is created on first use, so that values that no equation
+// reads are not stored.
 #include "derivation.hpp"
 #include "syntax/print/dialect.hpp"
 
@@ -9,8 +9,8 @@ namespace grafverif {
 
 namespace {
 
-/// Returns `prefix` and a name: `P_START` if `term` is the variable `START`, `P_1` with the number 1 if `term` is not a
-/// variable.
+/// Returns a name with the prefix `prefix`: `P_START` if `term` is the variable `START`, or `P_1` with the number 1 if
+/// `term` is not a variable.
 std::string name_for(Derivation& derivation, const std::string& prefix, Id<Expr> term, std::size_t number) {
     const Expr& node = derivation.equations.exprs[term];
     if (node.op != Op::Variable) return derivation.names.fresh(prefix + std::to_string(number));

@@ -11,7 +11,7 @@ namespace grafverif::draw {
 
 namespace {
 
-/// An edge of the graph that is being reduced. The edge connects two ends and represents a block.
+/// An edge of the graph that is being reduced. The edge connects two ends (vertices) and represents a block.
 struct Edge {
     std::size_t from = 0, to = 0, block = 0;
     /// Blocks that are attached to removed ends inside the edge and that extend beyond the edge.
@@ -19,12 +19,13 @@ struct Edge {
     bool removed = false;
 };
 
-/// A vertex of the reduced graph. `in` is the exclusive or of the numbers of all incoming edges, and `out` that of all
-/// outgoing edges. If only one edge remains on a side, this value is the number of the edge.
+/// A vertex of the reduced graph. `in` is the exclusive or of the numbers of all incoming edges, and `out` is the
+/// exclusive or of the numbers of all outgoing edges. If only one incoming (outgoing) edge remains, `in` (`out`) is
+/// therefore the number of this edge.
 struct End {
     std::size_t in_count = 0, out_count = 0;
     std::size_t in = 0, out = 0;
-    std::vector<std::size_t> from_nowhere = {}, to_nowhere = {};  ///< attached blocks with a free end
+    std::vector<std::size_t> from_nowhere = {}, to_nowhere = {};  ///< attached blocks that have a free end
     bool removed = false;
 };
 
@@ -122,8 +123,7 @@ private:
         return edge;
     }
 
-    /// Returns a block of type `kind` that consists of `parts`. If a part has the same type, the parts of this part are
-    /// used instead.
+    /// Returns a block of type `kind` that consists of `parts`. A part of the same type is replaced by its own parts.
     std::size_t joined(Block::Kind kind, const std::vector<std::size_t>& parts) {
         if (parts.size() == 1 && kind != Block::Kind::Core) return parts.front();
         Block block{.kind = kind, .key = nowhere};
@@ -143,8 +143,8 @@ private:
         return blocks.size() - 1;
     }
 
-    /// Returns a block that contains `block` in parallel with blocks of `hanging`: with all of them if `all` is true,
-    /// otherwise with those that do not extend beyond `block`.
+    /// Returns a block that contains `block` in parallel with blocks of `hanging`: with all blocks of `hanging` if
+    /// `all` is true, otherwise with the blocks that do not extend beyond `block`.
     std::size_t with_hanging(std::size_t block, std::vector<std::size_t>& hanging, bool all = false) {
         std::vector<Block>& blocks = result_.blocks;
         std::vector<std::size_t> parts{block}, others;
@@ -185,8 +185,8 @@ private:
         }
     }
 
-    /// Removes an edge with a free end. The block of the edge, together with the blocks `free` at the free end, is
-    /// added to `list`, the list of blocks that are attached to the other end.
+    /// Removes an edge with a free end, that is, an end without other edges. The block of the edge, together with the
+    /// blocks `free` at the free end, is added to `list`, the list of blocks that are attached to the other end.
     void hang(const std::vector<std::size_t>& free, Edge& edge, bool below, std::vector<std::size_t>& list) {
         std::size_t block = edge.block;
         if (!free.empty()) {
@@ -253,7 +253,7 @@ private:
     const Flow& flow_;
     const Order& order_;
     Blocks result_ = {};
-    std::vector<End> ends_;  ///< ends of node n: index 2n for its upper end, 2n + 1 for its lower end
+    std::vector<End> ends_;  ///< ends of the nodes: node n has the upper end 2n and the lower end 2n + 1
     std::vector<Edge> edges_ = {};
     std::unordered_map<std::uint64_t, std::size_t> between_ = {};
     std::deque<std::size_t> waiting_ = {};

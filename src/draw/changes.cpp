@@ -23,7 +23,7 @@ std::string content(const Drawing::Element& element) {
 }  // namespace
 
 void mark_changes(Drawing& drawing, const Drawing& other) {
-    std::map<std::string, int> there;  // for each content: number of occurrences in `other` that are not matched yet
+    std::map<std::string, int> there;  // for each content: number of elements of `other` that are not matched yet
     std::map<std::string, std::string> by_id;
     for (const Drawing::Element& element : other.elements) {
         ++there[content(element)];

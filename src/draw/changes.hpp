@@ -6,9 +6,10 @@
 
 namespace grafverif::draw {
 
-/// Adds the class `changed` to each element of `drawing` without a counterpart in `other`. An element without a
-/// counterpart is a step, transition, condition or action with another title or class, or a link between other ends.
-/// Elements that differ only in their numbers are treated as equal.
+/// Adds the class `changed` to each element of `drawing` without a counterpart in `other`. A step, transition,
+/// condition or action has a counterpart if `other` contains an element with the same title and class. A link has a
+/// counterpart if `other` contains a link between the same ends. Elements that differ only in their ids, which contain
+/// numbers, are counterparts.
 void mark_changes(Drawing& drawing, const Drawing& other);
 
 }  // namespace grafverif::draw

@@ -18,7 +18,7 @@ using Element = Drawing::Element;
 using Point = Drawing::Point;
 
 constexpr int margin = 16, title_height = 22, title_size = 13;
-constexpr int greatest_page = 1400;  ///< maximum width of the page, if no partial chart is wider
+constexpr int greatest_page = 1400;  ///< maximum width of the page in pixels, unless a partial chart is wider
 
 void shift(Element& element, Point by) {
     const auto move = [&](Point& point) { point = {point.x + by.x, point.y + by.y}; };
@@ -173,8 +173,8 @@ Panel framed(const Chart& chart, Id<Chart::PartialChart> id, const std::string& 
     return panel;
 }
 
-/// Places panels on a page. Each panel is placed as high as possible; among the positions with this height, the
-/// leftmost position is used.
+/// Places panels on a page. Each panel is placed as high as possible, and as far to the left as possible at this
+/// height.
 class Skyline {
 public:
     Skyline(int top, int right) : levels_({{margin, top}}), right_(right) {}
@@ -196,7 +196,8 @@ public:
     }
 
 private:
-    /// Returns the smallest y at which a panel that begins at the x of level `k` is below all panels that were placed.
+    /// Returns the smallest y at which a panel of the given width that begins at the x of level `k` is below all panels
+    /// placed so far.
     int lowest_above(std::size_t k, int width) const {
         int lowest = levels_[k].y;
         for (std::size_t j = k; j < levels_.size() && levels_[j].x < levels_[k].x + width + margin; ++j)
@@ -204,7 +205,8 @@ private:
         return lowest;
     }
 
-    std::vector<Point> levels_;  ///< upper contour of the free area: it is at y from x to the x of the next entry
+    /// Upper contour of the free area, with height y from the x of an entry to the x of the next entry.
+    std::vector<Point> levels_;
     int right_;
 };
 
@@ -212,8 +214,7 @@ struct Packing {
     std::vector<Point> places = {};
     Drawing::Size size = {};
 
-    /// Returns the height of a page with the width of the drawing and the aspect ratio 14:10; if the drawing is higher,
-    /// returns the height of the drawing.
+    /// Returns the height of the smallest page with the aspect ratio 14:10 that contains the drawing.
     int page() const { return std::max(size.width * 10 / 14, size.height); }
 };
 

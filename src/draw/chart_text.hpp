@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// ChartText: texts of the source file that a Chart does not contain, in the order of the tables of the Chart. An empty
-// text or list has no effect.
+// ChartText: texts of the source file that a Chart does not contain, in the order of the tables of the Chart. For an
+// empty text or list, the drawing uses only the Chart.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace grafverif {
 
 struct ChartText {
     std::vector<std::string> comments = {};  ///< comments of steps, which are included in the drawing
-    /// Conditions as in the source; they are drawn in Notation::Text.
+    /// Conditions in the notation of the source, for drawings with Notation::Text.
     std::vector<std::string> transitions = {}, continuous = {};
     std::vector<std::string> events = {}, values = {};  ///< events and values of stored actions as in the source
 };

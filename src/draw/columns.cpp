@@ -73,9 +73,9 @@ private:
         return stub != nowhere ? stub : blocks_.of_node[flow_.arcs[arc].to];
     }
 
-    /// Counts the parallel parts that horizontal lines in `channel` from `block` to both sides of `whole` would cross.
-    /// Returns the number on the left minus the number on the right. At most `far_enough` parts of each enclosing block
-    /// are examined.
+    /// Counts the parallel parts that a horizontal line in `channel` from `block` to the left (right) side of `whole`
+    /// would cross. Returns the number for the left side minus the number for the right side. At most `far_enough`
+    /// parts of each enclosing block are examined.
     int leaning(std::size_t block, std::size_t whole, std::size_t channel) const {
         int crossed = 0;
         for (; block != whole; block = at(block).parent) {
@@ -94,7 +94,7 @@ private:
     /// Assigns each upward link to a lane. On each side, upward links to the same step share a lane.
     void choose_lanes() {
         std::map<std::tuple<std::size_t, Side>, std::size_t> shared;
-        std::vector<std::pair<std::size_t, Side>> places;  ///< for each lane: block and side
+        std::vector<std::pair<std::size_t, Side>> places;  ///< block and side of each lane
         for (std::size_t arc = 0; arc < flow_.arcs.size(); ++arc) {
             if (!order_.upward[arc]) continue;
             const auto [from, to] = flow_.arcs[arc];
@@ -120,7 +120,8 @@ private:
     /// Lanes without a common row may share a column.
     void pack_lanes() {
         for (auto& [place, side_lanes] : side_lanes_) {
-            std::vector<std::set<std::pair<std::size_t, std::size_t>>> taken;  // for each column: low and high of lanes
+            // For each column: first and last channel of its lanes.
+            std::vector<std::set<std::pair<std::size_t, std::size_t>>> taken;
             std::ranges::stable_sort(side_lanes.lanes, {}, [&](std::size_t lane) {
                 return columns_.lanes[lane].high - columns_.lanes[lane].low;
             });
@@ -166,8 +167,8 @@ private:
         }
     }
 
-    /// Places the parts of a Series on one axis. If a part extends into the rows of the next part because of an
-    /// attached branch, the next part is placed to its right.
+    /// Places the parts of a Series on one axis. If an attached branch makes a part extend into the rows of the next
+    /// part, the next part is placed to the right of this part.
     void measure_series(std::size_t number) {
         std::vector<Strip> strips;
         each_part(number, [&](std::size_t part) {
@@ -189,7 +190,7 @@ private:
         std::vector<std::size_t> parts = {};
     };
 
-    /// Places each strip as far to the left as possible such that it does not overlap the preceding strips.
+    /// Places each strip as far to the left as possible without overlapping the preceding strips.
     void pack(std::size_t number, std::vector<Strip>& strips) {
         const std::size_t low = at(number).low;
         std::vector<int> skyline(at(number).high - low + 1, 0);
@@ -202,8 +203,8 @@ private:
         }
     }
 
-    /// Places the parts of a Parallel next to each other. The axis is in the middle between the first and the last part
-    /// that connect both ends of the block.
+    /// Places the parts of a Parallel next to each other. The axis of the block is in the middle between the axes of
+    /// the first and the last part that connect both ends of the block.
     void measure_parallel(std::size_t number) {
         int right = 0, first = 0, last = 0;
         bool any = false;
@@ -224,7 +225,7 @@ private:
         settle(number, (first + last) / 2);
     }
 
-    /// Moves the parts such that the position `axis` becomes 0.
+    /// Moves the parts so that the position `axis` becomes 0.
     void settle(std::size_t number, int axis) {
         Reach& whole = reach_[number];
         each_part(number, [&](std::size_t part) {
@@ -235,7 +236,7 @@ private:
         });
     }
 
-    /// Orders the strips of a Core such that their connections are short.
+    /// Orders the strips of a Core (an irreducible part of the graph) so that their connections are short.
     void measure_core(std::size_t number) {
         std::vector<std::size_t> parts;
         each_part(number, [&](std::size_t part) { parts.push_back(part); });

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Columns: horizontal positions. The parts of a Series share one axis; parallel parts have a minimum distance; upward
-// links run in lanes next to the smallest block that contains both of their ends.
+// Columns: computes horizontal positions. The parts of a Series share one axis. Parallel parts have a minimum distance.
+// An upward link runs in a lane next to the smallest block that contains both ends of the link.
 //
-// For every flow, no two parts or lanes have the same column in the same row. Therefore a vertical line never runs
+// Guarantee: two parts or lanes never have the same column in the same row. Therefore a vertical line never runs
 // through a node.
 #pragma once
 

@@ -57,8 +57,8 @@ private:
         }
     }
 
-    /// Computes the row of each node. The nodes are visited in the reverse order of their completion in the search, so
-    /// each node is visited before the successors to which its downward links lead.
+    /// Computes the row of each node. The nodes are visited in the reverse order of their completion in the search.
+    /// Therefore, each node is visited before the nodes to which its downward links lead.
     void settle_rows() {
         std::vector<bool> led_to(flow_.nodes.size(), false);
         for (std::size_t node = 0; node < flow_.nodes.size(); ++node)

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Flow: the graph of one partial chart for layout, with its reading order: rows from top to bottom.
+// Flow: the graph of one partial chart for layout. Order: the reading order of this graph, with rows from top to
+// bottom.
 //
-// Steps are in even rows, transitions in odd rows. A depth-first search starts at the roots; an arc to an unfinished
-// node is an upward link. If upward links are ignored, a node is one row below its lowest predecessor. All algorithms
-// are linear in nodes and arcs, and the result depends only on the graph and on the order of its nodes and arcs.
+// Steps are in even rows, transitions in odd rows. A depth-first search starts at the roots; an arc to a node whose
+// search is not finished is an upward link. A node is one row below its lowest predecessor, without regard to upward
+// links. All algorithms are linear in nodes and arcs, and the result depends only on the graph and on the order of its
+// nodes and arcs.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +30,7 @@ struct Flow {
     };
     std::vector<Node> nodes = {};
     std::vector<Arc> arcs = {};
-    /// Nodes at which the search starts. The search continues with the nodes that are not reachable from these roots.
+    /// Nodes at which the search starts. After the roots, the search starts at nodes that were not reached.
     std::vector<std::size_t> roots = {};
 
     std::size_t add(bool bar, int port, ReservedSpace space) {

@@ -73,7 +73,7 @@ public:
     }
 
 private:
-    /// Value instead of a track if a link needs no horizontal line.
+    /// Value that replaces the track of a link that needs no horizontal line.
     static constexpr std::size_t straight = nowhere;
 
     struct Place {
@@ -317,8 +317,8 @@ private:
         add_lines(places);
     }
 
-    /// Routes an upward link: down to its lane, up the lane to an arrow next to the target node, further up, and down
-    /// into the target node.
+    /// Routes an upward link: down and to its lane, up the lane (with an arrow next to the target node) to above the
+    /// target node, and down into this node.
     void route_upward(std::size_t arc) {
         const auto [from, to] = flow_.arcs[arc];
         const int x = lane(arc).x;
@@ -372,7 +372,7 @@ private:
     }
 
     /// Adds a label to one end of a line that is cut at `boundary`. Links with the same x position share a line; each
-    /// of its two ends has only one label.
+    /// end of a shared line has only one label.
     void refer(Point at, bool below, int x, std::size_t boundary) {
         const std::size_t number = numbers_.try_emplace({boundary, x}, numbers_.size() + 1).first->second;
         if (named_.emplace(number, below).second) routes_.references.push_back({at, below, number, arc_});
@@ -382,14 +382,17 @@ private:
     const Order& order_;
     const Columns& columns_;
     std::size_t rows_;
-    std::vector<std::size_t> below_ = {}, above_ = {};  ///< for each node: track of its links below, and above
-    std::vector<std::size_t> exit_ = {}, entry_ = {};   ///< for each arc: tracks of its stubs
+    /// For each node: track of its links below the node, and above the node.
+    std::vector<std::size_t> below_ = {}, above_ = {};
+    std::vector<std::size_t> exit_ = {}, entry_ = {};  ///< for each arc: tracks of its stubs
     std::vector<int> upper_count_ = {}, lower_count_ = {};
-    std::vector<int> tops_ = {}, middles_ = {}, bottoms_ = {};         ///< for each channel: y positions
-    std::vector<int> centres_ = {};                                    ///< for each row: y position
-    std::vector<std::size_t> begins_ = {};                             ///< for each piece: first row
-    std::vector<int> shift_x_ = {}, shift_y_ = {};                     ///< for each piece: displacement
-    std::map<std::pair<std::size_t, int>, std::size_t> numbers_ = {};  ///< for each cut line: boundary and x, number
+    /// For each channel: y positions of its top, middle and bottom.
+    std::vector<int> tops_ = {}, middles_ = {}, bottoms_ = {};
+    std::vector<int> centres_ = {};                 ///< for each row: y position of its centre
+    std::vector<std::size_t> begins_ = {};          ///< for each piece of a folded flow: its first row
+    std::vector<int> shift_x_ = {}, shift_y_ = {};  ///< for each piece of a folded flow: its displacement
+    /// For each cut line: its number, by boundary and x position.
+    std::map<std::pair<std::size_t, int>, std::size_t> numbers_ = {};
     std::set<std::pair<std::size_t, bool>> named_ = {};
     std::size_t arc_ = 0;
     Routes routes_ = {};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Routes: vertical positions and connecting lines. Horizontal lines run only between two rows, on tracks. Lines from
-// the row above use the upper tracks, and lines to the row below use the lower tracks, so that a line never runs
-// upwards between two rows. A long flow is folded: it is cut between two rows that few lines connect, and the pieces
-// are placed side by side. Each cut line is labelled with a number at both ends.
+// Routes: computes vertical positions and connecting lines. Horizontal lines run only between two rows, on tracks.
+// Lines from the row above use the upper tracks, and lines to the row below use the lower tracks, so that a line never
+// runs upwards between two rows. A long flow is folded: it is cut between rows that few lines connect, and the pieces
+// are placed next to each other. Each line that is cut has the same number as a label at both ends.
 #pragma once
 
 #include <string>
@@ -24,9 +24,9 @@ struct Routes {
     /// The label at the end of a cut line.
     struct Reference {
         Drawing::Point at = {};  ///< end point of the line
-        bool below = false;      ///< true if the label is below the end
+        bool below = false;      ///< true if the label is below the end of the line
         std::size_t number = 0;
-        std::size_t arc = 0;  ///< index of an arc of the line
+        std::size_t arc = 0;  ///< index of an arc that is drawn with this line
     };
     std::vector<Drawing::Point> nodes = {};  ///< centres of the nodes
     std::vector<std::vector<Drawing::Line>> arcs = {};

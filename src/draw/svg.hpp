@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Writes a drawing as SVG. The colours are `currentColor` and `none`, and red for `changed` elements. Attributes define
-// the colours, so that the style of a page overrides them (docs/how-to/draw.md). The SVG contains no style sheets and
-// no scripts; its only ids are those of the elements of the chart.
+// Writes a drawing as SVG. The colours are `currentColor` and `none`, and red for elements with the class `changed`.
+// The SVG defines the colours by attributes, so that the style of a page can override them (docs/how-to/draw.md). The
+// SVG contains no style sheets and no scripts; its only ids are the ids of elements of the chart.
 #pragma once
 
 #include <iosfwd>

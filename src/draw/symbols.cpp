@@ -67,7 +67,7 @@ struct Symbols::Action {
     }
     int foot() const { return sign == Sign::Down ? 10 : 0; }
 
-    /// Returns the drawn element. Its left edge is at `left`, and its vertical centre is at `middle`.
+    /// Returns the drawn action. Its left edge is at x = `left`, and its vertical centre is at y = `middle`.
     Drawing::Element at(int left, int middle) const {
         Drawing::Element drawn = element;
         const int top = middle - box_height / 2;
@@ -148,7 +148,7 @@ std::string Symbols::title(Id<Chart::Transition> id) const {
 // -- actions ---------------------------------------------------------------------------------------------------------
 
 /// Returns the box of a continuous action with its condition. A delay and a time limit are written as time conditions:
-/// for a delay of 3 s and a limit of 5 s, `3s/X2` and the negation of `8s/X2`.
+/// `3s/X2` for a delay of 3 s, and the negation of `8s/X2` for an additional limit of 5 s.
 Symbols::Action Symbols::continuous(Id<Chart::ContinuousAction> id) const {
     const Chart::ContinuousAction& action = chart_.continuous[id];
     const std::string step = writing_.step(action.step);
@@ -157,7 +157,7 @@ Symbols::Action Symbols::continuous(Id<Chart::ContinuousAction> id) const {
     if (!is_true(chart_.exprs, action.condition)) {
         Runs condition = runs(text_.continuous, id.index, action.condition);
         const bool alone = action.delay_ms == 0 && action.limit_ms == 0;
-        // The notation of the source is searched for a disjunction, because the simplified term may not contain it.
+        // The text is searched for a disjunction, because the term itself may have been simplified.
         const std::string text = plain_text(condition);
         const bool disjunction =
             iec ? chart_.exprs[action.condition].op == Op::Or
@@ -228,7 +228,7 @@ Symbols::Action Symbols::forcing(Id<Chart::ForcingOrder> id) const {
             .twofold = true};
 }
 
-/// Draws the actions of a node in a row that a line connects with the node. If the row would be wider than
+/// Draws the actions of a node in a row, and a line that connects the row with the node. If the row would be wider than
 /// `widest_row`, the actions are stacked, and a line at the left connects them.
 void Symbols::add_actions(std::vector<Action> actions, int left, Symbol& symbol) const {
     if (actions.empty()) return;
@@ -258,7 +258,7 @@ void Symbols::add_step_marks(Id<Chart::Step> id, int half, Drawing::Element& ele
     const Chart::Step& step = chart_.steps[id];
     element.boxes.push_back({{-half, -half_step}, {2 * half, 2 * half_step}});
     if (step.initial) element.boxes.push_back({{4 - half, 4 - half_step}, {2 * half - 8, 2 * half_step - 8}});
-    if (step.kind == Chart::StepKind::Enclosing) {  // a line across each corner of the innermost square
+    if (step.kind == Chart::StepKind::Enclosing) {  // draws a line across each corner of the innermost square
         Drawing::Box corners = element.boxes.back();
         corners.cut = 9;
         element.boxes.push_back(corners);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Symbols: the steps, transitions, actions and forcing orders of a chart in the notation of IEC 60848 (clause 5; clause
-// 7 for macro-steps, enclosing steps and forcing orders), each with coordinates relative to its centre.
+// Symbols: draws the steps, transitions, actions and forcing orders of a chart in the notation of IEC 60848 (clause 5;
+// clause 7 for macro-steps, enclosing steps and forcing orders). The coordinates of each symbol are relative to its
+// centre.
 #pragma once
 
 #include <string>
@@ -14,7 +15,7 @@
 
 namespace grafverif::draw {
 
-/// The symbol of one node, with its actions and texts, relative to (0, 0).
+/// The symbol of one node (a step or transition), with its actions and texts; its centre is at (0, 0).
 struct Symbol {
     ReservedSpace space = {};
     int port = 0;  ///< distance from the centre to the upper and lower ends of links
@@ -38,8 +39,8 @@ private:
     Action continuous(Id<Chart::ContinuousAction> action) const;
     Action stored(Id<Chart::StoredAction> action) const;
     Action forcing(Id<Chart::ForcingOrder> order) const;
-    /// Returns `term` as in the source file if Notation::Text is selected and `written` contains its text; otherwise in
-    /// the notation of the drawing.
+    /// Returns the text of `term`. If Notation::Text is selected and `written` contains the text of the term in the
+    /// source file, returns this text; otherwise, returns the term in the notation of the drawing.
     Runs runs(const std::vector<std::string>& written, std::uint32_t index, Id<Expr> term) const;
     void add_comment(const std::string& comment, Symbol& symbol) const;
     std::string names_of(const std::vector<Id<Chart::Step>>& steps) const;

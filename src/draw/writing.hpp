@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Writing: widths of texts, line breaking, and the notation of a chart's terms in drawings.
+// Computes widths of texts, breaks lines, and writes the terms of a chart in the notation of drawings.
 //
 // The width of a character is the maximum of its widths in DejaVu Sans and Liberation Sans (Arial has the same widths).
-// A character that may be missing in both fonts is assumed to be slightly wider than an em.
+// A character that may be missing in both fonts is assumed to be slightly wider than the font size (em).
 #pragma once
 
 #include <iosfwd>
@@ -26,8 +26,8 @@ using Runs = std::vector<Drawing::Run>;
 int width_of(std::string_view text, int size);
 int width_of(const Runs& runs, int size);
 
-/// Returns `runs` in lines of at most `width`, broken at spaces. A word that is wider has a separate line. Text beyond
-/// `most_lines` is replaced by an ellipsis.
+/// Returns `runs` as lines of at most `width` pixels, broken at spaces. A word that is wider than `width` has a
+/// separate line. Text beyond `most_lines` lines is replaced by an ellipsis.
 std::vector<Runs> wrapped(const Runs& runs, int size, int width);
 inline constexpr std::size_t most_lines = 24;
 
@@ -37,8 +37,8 @@ std::string plain_text(const Runs& runs);
 /// Returns `text`, truncated after `characters` characters. An ellipsis follows truncated text.
 std::string shortened(std::string_view text, std::size_t characters);
 
-/// Writes the terms of a chart in the notation of its drawing. If the name of a step is unique among all partial
-/// charts, the name is not qualified: `XW1` for `watchdog.XW1`.
+/// Writes the terms of a chart in the notation of its drawing. A step whose name is unique among all partial charts is
+/// not qualified: `XW1` instead of `watchdog.XW1`.
 class Writing {
 public:
     Writing(const Chart& chart, Notation notation);

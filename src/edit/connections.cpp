@@ -20,7 +20,7 @@ bool has(const std::vector<tree::Name>& names, const tree::Name& name) {
     return std::ranges::any_of(names, [&](const tree::Name& each) { return is(each, name); });
 }
 
-/// True if a transition inside `for` in the list begins or ends at `name`.
+/// True if a transition in a replication (`for`) in the list begins or ends at the step `name`.
 bool repeats(const std::vector<tree::ChartItem>& items, const tree::Name& name, bool repeated) {
     return std::ranges::any_of(items, [&](const tree::ChartItem& item) {
         if (const auto* replicated = std::get_if<tree::ReplicatedChartItems>(&item))
@@ -132,7 +132,7 @@ std::vector<TextEdit> Connections::without_step(const tree::Step& step, std::str
     for (const tree::Transition* const each : transitions_) {
         const bool is_before = has(each->to, name), is_after = has(each->from, name);
         if (is_before && is_after && each->to.size() == 1 && each->from.size() == 1) {
-            edits.push_back(layout_.removed(each->where));  // a loop at the step
+            edits.push_back(layout_.removed(each->where));  // a transition from the step to itself is removed
             continue;
         }
         if (is_before && is_after) {
@@ -152,10 +152,10 @@ std::vector<TextEdit> Connections::without_step(const tree::Step& step, std::str
             obstacle = fmt::format("{} would be deleted with its actions; move the actions first", title(transition));
         edits.push_back(layout_.removed(transition.where));
     };
-    if (only_before == 0 && only_after == 0) {  // a branch of a parallel structure, or an isolated step
+    if (only_before == 0 && only_after == 0) {  // the step is a branch of a parallel structure, or isolated
         for (const tree::Transition* const each : before) append(edits, replaced(*each, End::To, name, {}));
         for (const tree::Transition* const each : after) append(edits, replaced(*each, End::From, name, {}));
-    } else if (before.empty() || after.empty()) {  // the beginning or the end of a sequence
+    } else if (before.empty() || after.empty()) {  // the step is the beginning or the end of a sequence
         for (const tree::Transition* const each : before)
             if (each->to.size() == 1) lose(*each);
             else append(edits, replaced(*each, End::To, name, {}));

@@ -73,8 +73,8 @@ Change Document::perform(const Operation& operation, bool trial) {
     return rename(*element, operation.text, trial);
 }
 
-/// Returns the reason why edits may not delete a declaration: a use of its name remains, which would be an error or denote
-/// another element.
+/// Returns the reason why edits that delete a declaration are rejected: a use of its name remains, which would be an
+/// error or denote another element. The text is empty if no such use remains.
 std::string Document::remaining_use(const std::vector<TextEdit>& edits) const {
     lsp::Workspace workspace = workspace_for(text());
     const std::string path = rpc::path_of_uri(uri_);
@@ -129,7 +129,7 @@ Change Document::rename(const Element& element, const std::string& name, bool tr
     return accept(std::move(plan), trial);
 }
 
-/// Applies a plan if the text has no errors after it. If `trial` is true, only checks the plan.
+/// Applies the edits of a plan if the resulting text has no errors. If `trial` is true, only checks this condition.
 Change Document::accept(Plan plan, bool trial) {
     if (!plan.obstacle.empty()) return {std::move(plan.obstacle), {}, {}};
     const std::string after = applied(text(), plan.edits);
@@ -198,7 +198,7 @@ std::vector<DrawnElement> Document::elements(Id<Chart> id, const std::string& pr
     const Elements declared(drawn_parsed_->tree);
     const Layout layout(drawn_parsed_->text->bytes(), drawn_parsed_->tree);
     const auto add = [&](Span origin, DrawnElement drawn) {
-        // The first source is the file; all other sources are included files and the component library.
+        // Source 0 is the file itself; all other sources are included files and the component library.
         const bool here = origin.source.valid() && origin.source.index == 0;
         const Element* const element = here ? declared.at(origin.begin) : nullptr;
         if (element == nullptr) return;

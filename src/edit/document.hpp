@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Document: the text of one file while it is edited. The text is the only data: drawings, diagnostics and the positions
-// of elements are computed from it after each change. An operation on a drawing is a change of the text that is rejected
-// if the text has errors after it.
+// Document: the text of one file that is being edited. Drawings, diagnostics and the positions of elements are computed
+// from the text after each change. An operation on a drawing is a change of the text; it is rejected if the resulting
+// text has errors.
 //
 // The document reads included files, but neither reads nor writes the file itself.
 #pragma once
@@ -20,14 +20,14 @@
 
 namespace grafverif::edit {
 
-/// The result of a change: a reason for rejection, or the position of the changed element.
+/// The result of a change: a reason why the change was rejected, or the position of the changed element.
 struct Change {
     std::string obstacle = {};     ///< if not empty, the text is unchanged
     std::string diagnostics = {};  ///< errors that the text would have after the change
     std::optional<std::uint32_t> selected = {};
 };
 
-/// An element of a drawing and its text.
+/// An element of a drawing, and the text that declares it.
 struct DrawnElement {
     std::string id = {};         ///< id of the element in the drawing; empty for a part that is not drawn separately
     std::string condition = {};  ///< id of the condition of a transition
@@ -40,7 +40,7 @@ struct DrawnElement {
 
 class Document {
 public:
-    /// `path` is the file, whose folder is the first folder of included files.
+    /// `path` is the path of the file. Its folder is searched for included files first.
     Document(std::string path, std::vector<std::string> include_folders, std::string text);
 
     const std::string& text() const { return history_.text(); }
@@ -48,19 +48,20 @@ public:
     bool can_undo() const { return history_.can_undo(); }
     bool can_redo() const { return history_.can_redo(); }
 
-    /// Executes an operation, or rejects it with a reason; for example, if the text has errors. If `trial` is true, the
-    /// text is not changed.
+    /// Executes an operation, or rejects it with a reason, for example if the text has errors. If `trial` is true, only
+    /// determines the result and does not change the text.
     Change perform(const Operation& operation, bool trial = false);
-    /// Returns the text of the steps at the positions `at`, for OperationKind::Paste.
+    /// Returns a copy of the steps at the positions `at`, as text for OperationKind::Paste.
     Copy copied(const std::vector<std::uint32_t>& at);
-    /// Returns the proposals of the language server at the offset `cursor` of `text`, which is the text with a change that
-    /// is not complete yet.
+    /// Returns the completion proposals at the offset `cursor` of `text`, which is the text of the document with an
+    /// incomplete change.
     std::vector<lsp::Proposal> proposals(const std::string& text, std::size_t cursor) const;
-    /// Replaces the text as the user has typed it. The text may have errors.
+    /// Replaces the text by `text`, which the user has typed. The new text may have errors.
     void type(std::string_view text);
-    /// Replaces the text as one step that can be undone.
+    /// Replaces the text as one editing step, which can be undone.
     void replace(std::string_view text);
-    /// Undoes or repeats one step. Returns the offset of the change, or an empty result if there is no step.
+    /// `undo` undoes one editing step, and `redo` repeats it. They return the offset of the change, or nothing if there
+    /// is no such step.
     std::optional<std::uint32_t> undo();
     std::optional<std::uint32_t> redo();
     /// Parses the text again, because an included file has changed.
@@ -72,7 +73,7 @@ public:
     std::shared_ptr<const lsp::Root> drawn();
     /// Returns the drawing of a chart of `drawn()`, which must not be null.
     Drawing drawing(Id<Chart> chart, const std::string& prefix);
-    /// Returns the elements of the drawing of a chart whose declarations are in the text of `drawn()`.
+    /// Returns the elements of the drawing of a chart that the file itself declares, and not an included file.
     std::vector<DrawnElement> elements(Id<Chart> chart, const std::string& prefix);
 
 private:

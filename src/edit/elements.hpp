@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Elements: the steps, transitions and actions that a text declares, by the position of their declaration. An operation
-// on a drawing refers to an element by this position.
+// Elements: finds the steps, transitions and actions that a text declares by the positions of their declarations. An
+// operation on a drawing refers to an element by the position of its declaration.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,18 @@
 namespace grafverif::edit {
 
 /// A declared step, transition or action. Exactly one of the pointers `step`, `transition`, `action` and `assignment`
-/// denotes the element; an action also has its step, and an assignment of a transition its transition.
+/// denotes the element; for an action, `step` is also set, and for an assignment of a transition, `transition` is also
+/// set.
 struct Element {
     Span where = {};
     const tree::Chart* chart = nullptr;
-    const std::vector<tree::ChartItem>* items = nullptr;  ///< the list with the step or transition
+    /// The list of declarations that contains the step or transition.
+    const std::vector<tree::ChartItem>* items = nullptr;
     const tree::Step* step = nullptr;
     const tree::Transition* transition = nullptr;
     const tree::Action* action = nullptr;
     const tree::Assignment* assignment = nullptr;
-    bool repeated = false;  ///< true if the element is declared inside `for`
+    bool repeated = false;  ///< true if the element is declared in a replication (`for`)
 
     bool is_step() const { return step != nullptr && action == nullptr; }
     bool is_transition() const { return transition != nullptr && assignment == nullptr; }
@@ -39,7 +41,7 @@ public:
 private:
     void add(const tree::Chart& chart, const std::vector<tree::ChartItem>& items, bool repeated);
 
-    std::vector<Element> elements_ = {};                             ///< sorted by position
+    std::vector<Element> elements_ = {};                             ///< elements, sorted by position
     std::vector<std::pair<std::uint32_t, std::size_t>> names_ = {};  ///< offset of the name of each step, and its index
 };
 

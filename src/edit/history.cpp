@@ -3,7 +3,8 @@
 
 namespace grafverif::edit {
 
-/// True if the edits extend the last step: both insert text without line ends, the new text after the previous text.
+/// True if the edits extend the last editing step: both insert text without line ends, and the new text directly
+/// follows the previous text.
 bool History::continues(const std::vector<TextEdit>& edits) const {
     if (done_ == 0 || done_ != steps_.size() || !steps_.back().typed || edits.size() != 1) return false;
     const TextEdit &last = steps_.back().forward.front(), &next = edits.front();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// History: the edits of a text, with unlimited undo and redo. A new edit discards the edits that were undone.
+// History: stores the edits of a text, for unlimited undo and redo. A new edit discards the edits that were undone.
 #pragma once
 
 #include <cstddef>
@@ -19,11 +19,11 @@ public:
     bool can_undo() const { return done_ > 0; }
     bool can_redo() const { return done_ < steps_.size(); }
 
-    /// Applies edits, which must be sorted, as one step. If `typed` is true and the previous step was also typed
-    /// directly before this text in the same line, both are one step.
+    /// Applies edits, which must be sorted, as one editing step. If `typed` is true, and the text continues text of the
+    /// previous step that was also typed, both steps become one step.
     void apply(const std::vector<TextEdit>& edits, bool typed = false);
-    /// Undoes or repeats one step. Returns the offset of the change in the new text. Requires `can_undo()` or
-    /// `can_redo()`.
+    /// `undo` undoes one editing step, and `redo` repeats it. They return the offset of the change in the new text.
+    /// `undo` requires `can_undo()`, and `redo` requires `can_redo()`.
     std::uint32_t undo();
     std::uint32_t redo();
 
@@ -37,7 +37,7 @@ private:
 
     std::string text_;
     std::vector<Step> steps_ = {};
-    std::size_t done_ = 0;  ///< number of steps that are applied
+    std::size_t done_ = 0;  ///< number of editing steps that are applied; the remaining steps were undone
 };
 
 }  // namespace grafverif::edit

@@ -105,7 +105,7 @@ TextEdit Layout::removed(Span where) const {
         begin = line_begin(begin);
         end = line_end(end);
         if (end < text_.size()) end += text_[end] == '\r' ? 2U : 1U;
-        else if (begin > 0) --begin;  // the last line, which has no line end
+        else if (begin > 0) --begin;  // the last line has no line end
     } else if (begins_line(begin)) {
         while (end < text_.size() && is_blank(text_[end])) ++end;
     } else {

@@ -237,7 +237,7 @@ void Planner::remove_assignment() {
     for (const tree::Assignment& each : transition.assignments) places.push_back(each.where);
     const auto index = static_cast<std::size_t>(element_.assignment - transition.assignments.data());
     if (places.size() > 1) return add(layout_.removed_name(places, index));
-    const std::uint32_t after = layout_.condition(transition).end;  // without brackets
+    const std::uint32_t after = layout_.condition(transition).end;  // end of the condition, without closing brackets
     std::uint32_t begin = after;
     for (const lsp::Word& word : lsp::words_of(text_.substr(after, places[0].begin - after)))
         if (text_.substr(after + word.begin, word.end - word.begin) == "do") begin = after + word.begin;

@@ -43,8 +43,8 @@ void Planner::declare(const std::string& declaration) {
         }
 }
 
-/// Adds an environment that sets a new input to any value to each closed loop that controls the chart: each input of a
-/// closed loop must be driven. Rejects an input with an index, and an input of an instance of the chart.
+/// Adds an environment that can set a new input to any value to each closed loop with the chart, because each input of
+/// a closed loop must be driven. Rejects an input with an index, and an input of an instance of the chart.
 void Planner::drive(const Declared& input) {
     std::string name;
     for (const tree::Declaration& declaration : file_.declarations) {

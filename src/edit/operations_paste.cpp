@@ -17,7 +17,7 @@ using Words = std::set<Id<tree::Word>>;
 
 constexpr std::string_view origin = "// steps of ";
 
-/// Returns the name of the chart or partial chart with an element, such as `g.P`.
+/// Returns the name of the chart or partial chart that contains an element, such as `g.P`.
 std::string name_of_list(const tree::File& file, const Element& element) {
     std::string name(file.text(element.chart->name));
     for (const tree::ChartItem& item : element.chart->items)
@@ -55,7 +55,7 @@ public:
     Fragment& operator=(const Fragment&) = delete;
 
     std::string_view text(std::uint32_t begin, std::uint32_t end) const { return text_.substr(begin, end - begin); }
-    /// Returns the text of a transition after its last step.
+    /// Returns the text of a transition that follows its last step.
     std::string_view rest(const tree::Transition& transition) const {
         const Layout layout(text_, file_);
         const std::uint32_t begin =
@@ -63,7 +63,7 @@ public:
         return text(begin, transition.where.end);
     }
     std::string name(const tree::Step& step) const { return std::string(file_.text(step.name)); }
-    /// Returns the copied steps in a list.
+    /// Returns those steps of `names` that are copied.
     std::vector<tree::Name> own(std::vector<tree::Name> names) const {
         std::erase_if(names, [&](const tree::Name& each) { return each.index.valid() || !own_.contains(each.word); });
         return names;
@@ -71,9 +71,9 @@ public:
     std::string_view name(const tree::Name& name) const { return file_.text(name); }
     const Table<tree::Word>& words() const { return file_.words; }
 
-    /// Returns the copied steps at which a copy is entered, so that links lead from them to all copied steps; empty if
-    /// there are none. Considers the steps to which the first transitions from other steps lead, then initial steps,
-    /// then each step.
+    /// Returns copied steps from which all copied steps are reachable, and at which the copied branch begins; empty if
+    /// there are no such steps. The candidates are the targets of the first transition from a step that is not copied,
+    /// then initial steps, then each step.
     std::vector<tree::Name> entries() const {
         std::vector<std::vector<tree::Name>> choices;
         for (const tree::Transition* const each : transitions)
@@ -86,7 +86,7 @@ public:
         return found == choices.end() ? std::vector<tree::Name>() : *found;
     }
 
-    std::vector<const tree::Step*> steps = {};  ///< empty if the text is not a copy
+    std::vector<const tree::Step*> steps = {};  ///< the copied steps; empty if the text is not a copy
     std::vector<const tree::Transition*> transitions = {};
     std::string list = {};  ///< chart or partial chart of the originals; empty if the text does not contain it
 
@@ -114,13 +114,15 @@ private:
     std::map<Id<tree::Word>, Transitions> leaving_ = {};  ///< transitions that begin at each step
 };
 
-/// Names of the copies by the names of the originals, and the step variables of other steps in the copied text.
+/// The names of the copies by the names of the original steps, and the variables of steps that are not copied but occur
+/// in the copied text.
 struct Renaming {
     std::map<std::string, std::string, std::less<>> fresh = {};
     std::string owner = {};  ///< chart or partial chart of the originals, without the chart of the partial chart
     std::set<std::string> others = {};
 
-    /// Returns `text` with the variables of copied steps, such as `X1` or `P.X1`, renamed. Collects all others.
+    /// Returns `text` with renamed variables of copied steps, such as `X1` or `P.X1`. Collects the variables of all
+    /// other steps.
     std::string operator()(std::string_view text) {
         std::vector<lsp::Word> words = lsp::words_of(text);
         std::erase_if(words, [](const lsp::Word& word) { return word.kind == lsp::Word::Kind::Comment; });
@@ -180,8 +182,9 @@ Copy copied(std::string_view text, const tree::File& file, const Elements& eleme
     return copy;
 }
 
-/// Adds the copied steps as a branch. The transition to the first copied step is an alternative to the transition.
-/// Transitions that led from the copied steps to other steps lead to the steps after the transition.
+/// Adds the copied steps as a branch. The branch begins with a new transition that is an alternative to the selected
+/// transition. Copies of transitions that led to steps outside the copy lead to the steps after the selected
+/// transition.
 void Planner::paste(const std::string& copied) {
     const Fragment fragment(copied);
     if (fragment.steps.empty()) {
@@ -211,7 +214,7 @@ void Planner::paste(const std::string& copied) {
     if (near == nullptr) near = last_step();
     const std::string here = name_of_list(file_, element_), original = fragment.list.empty() ? here : fragment.list;
     Renaming renamed{.owner = original.substr(original.find('.') + 1)};
-    // A new step must not be the step that a condition of the copied text reads.
+    // The variable of a new step must not be equal to a step variable that a condition of the copied text reads.
     for (const tree::Word& word : fragment.words())
         if (word.text.starts_with('X')) used().insert(word.text);
     for (const tree::Step* const step : fragment.steps)

@@ -145,7 +145,7 @@ Plan Planner::finished() {
     for (const std::size_t k : order) {
         TextEdit& edit = edits_[k];
         if (selected_in_ == k) plan.selected = edit.begin + grown + static_cast<std::uint32_t>(selected_at_);
-        if (!plan.edits.empty() && edit.begin < plan.edits.back().end) {  // two deletions that overlap
+        if (!plan.edits.empty() && edit.begin < plan.edits.back().end) {  // two deletions overlap
             plan.edits.back().end = std::max(plan.edits.back().end, edit.end);
             continue;
         }

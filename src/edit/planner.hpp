@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Planner: computes one operation on an element of a drawing as edits. The operations are in operations*.cpp, the parts
-// that they share in planner.cpp.
+// Planner: computes one operation on an element of a drawing as edits. The files operations*.cpp contain the
+// operations, and planner.cpp contains functions that several operations use.
 #pragma once
 
 #include <functional>
@@ -34,15 +34,16 @@ private:
 
     // -- additions ----------------------------------------------------------------------------------------------------
 
-    /// Adds a step between an element and the elements after it (To) or before it (From).
-    /// `words` are written before the name of the step, and `contents` after it.
+    /// Adds a step between an element and the following elements (`side` is To) or the preceding elements (`side` is
+    /// From). `words` are written before the name of the step, and `contents` after it.
     void add_neighbour(End side, const std::string& words = "step ", const std::string& contents = {});
 
-    /// Rejects the operation if one of `links`, which will no longer begin at `step`, reads its step variable: the
-    /// condition `3s/X1` would never be true.
+    /// Rejects the operation if one of `links`, which will no longer begin at `step`, reads the variable of this step,
+    /// because a condition such as `3s/X1` would never be true.
     void reject_readers(const Transitions& links, const tree::Name& step);
     void add_transition();
-    /// Returns a transition and all transitions that begin at one of its steps; sets the obstacle if one is repeated.
+    /// Returns a transition and all transitions that begin at one of its steps. If one of these transitions is in a
+    /// replication, sets the obstacle.
     Transitions alternatives_to(const tree::Transition& transition);
     void add_alternative();
     void add_parallel();
@@ -50,8 +51,8 @@ private:
     void add_jump(const Operation& operation);
     void add_action(const std::string& action);
     void paste(const std::string& copied);
-    /// Rejects the operation if one of the step variables of a copied text can denote another step than in the chart
-    /// from which the text was copied: a text of another chart or partial chart.
+    /// Rejects the operation if a step variable in a copied text can denote another step than in the original chart.
+    /// This can occur if the text was copied from another chart or partial chart.
     void reject_other_steps(const std::set<std::string>& variables, std::string_view chart);
 
     // -- declarations -------------------------------------------------------------------------------------------------
@@ -63,11 +64,11 @@ private:
     void add_enclosing(const std::string& partial);
     /// Adds the block `head { lines }` at the end of the chart, after an empty line.
     void add_part(const std::string& head, const std::vector<std::string>& lines);
-    /// Returns `name` if the file does not use it; otherwise with a number.
+    /// Returns `name` if the file does not use it; otherwise returns `name` with an appended number.
     std::string fresh_or(const std::string& name);
-    /// Returns `stem` with the first number that makes a name that the file does not use.
+    /// Returns `stem` with the smallest appended number that results in an unused name.
     std::string fresh_name(const std::string& stem);
-    /// True if the file, or the new text, contains the name or the step variable of a step with this name.
+    /// True if the file or the new text contains `name`, or the variable of a step with this name.
     bool is_used(const std::string& name) { return used().contains(name) || used().contains('X' + name); }
     /// Returns all names of the file and the new names.
     std::set<std::string, std::less<>>& used();
@@ -84,13 +85,15 @@ private:
     /// Returns the position of an action with its `;`.
     static Span declared(const tree::Action& action);
 
-    /// Adds a step after the declaration of the first of `neighbours`; if it is not in the list, after the last step.
+    /// Adds a step after the declaration of the first of `neighbours`; if the list of declarations does not contain it,
+    /// after the last step.
     void add_step(const std::string& fresh, const std::vector<tree::Name>& neighbours,
                   const std::string& words = "step ", const std::string& contents = {});
     const tree::Step* last_step() const;
 
-    /// Returns the declaration after which a new transition is added: the last of `near`, otherwise the last of `next`,
-    /// otherwise the last transition of the list, otherwise its last step.
+    /// Returns the position of the declaration after which a new transition is added: the last of `near`. If `near` is
+    /// empty, this is the last of `next`, otherwise the last transition of the list, otherwise the last step of the
+    /// list.
     Span place_of_link(const Transitions& near, const Transitions& next) const;
     void add_link(Span place, const std::string& from, const std::string& to, const std::string& condition);
 
@@ -98,7 +101,8 @@ private:
     std::string exclusive(const Transitions& links) const;
     std::string negation(Id<tree::Expr> condition) const;
 
-    /// Returns the name of a new step: the next free number, or the name of the neighbour with the next free number.
+    /// Returns the name of a new step: the next unused number, or the name of the neighbour with the next unused
+    /// number.
     std::string fresh_step(const std::vector<tree::Name>& neighbours);
     std::string fresh_step(std::string stem);
 
@@ -109,9 +113,9 @@ private:
 
     void add(TextEdit edit) { edits_.push_back(std::move(edit)); }
     void add(std::vector<TextEdit> edits);
-    /// Adds an edit, and selects the declaration in its replacement that begins with `words`.
+    /// Adds an edit, and marks the declaration that begins with `words` in its replacement as the selected element.
     void select(TextEdit edit, std::string_view words);
-    /// Selects the declaration in the last edit that begins with `words`.
+    /// Marks the declaration that begins with `words` in the last edit as the selected element.
     void select_last(std::string_view words);
     Plan finished();
     std::string_view text_;
@@ -124,8 +128,9 @@ private:
     std::string obstacle_ = {};
     std::set<std::string, std::less<>> used_ = {};  ///< see used(); empty before the first use
     std::optional<std::size_t> selected_in_ = {};   ///< index of the edit that adds the selected element
-    std::size_t selected_at_ = 0;                   ///< offset of this element in the replacement
-    std::optional<std::uint32_t> selected_ = {};    ///< position of a selected element before the edits
+    std::size_t selected_at_ = 0;                   ///< offset of the selected element in the replacement
+    /// Position, before the edits, of a selected element that exists already.
+    std::optional<std::uint32_t> selected_ = {};
 };
 
 }  // namespace grafverif::edit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// TextEdit: replaces a range of a text. The ranges of a list of edits refer to the text before all edits.
+// TextEdit: replaces a range of a text. The ranges of all edits in a list refer to the original text.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 namespace grafverif::edit {
 
 struct TextEdit {
-    std::uint32_t begin = 0, end = 0;  ///< byte offsets
+    std::uint32_t begin = 0, end = 0;  ///< byte offsets of the replaced range
     std::string replacement = {};
     bool operator==(const TextEdit&) const = default;
 };
@@ -18,14 +18,14 @@ struct TextEdit {
 /// Sorts edits by position. Insertions at the same position keep their order. Requires disjoint ranges.
 void sort(std::vector<TextEdit>& edits);
 
-/// Returns `text` after all edits, which must be sorted.
+/// Returns the result of applying `edits`, which must be sorted, to `text`.
 std::string applied(std::string_view text, const std::vector<TextEdit>& edits);
 
 /// Returns the edits that restore `text` from the result of `applied(text, edits)`.
 std::vector<TextEdit> inverse(std::string_view text, const std::vector<TextEdit>& edits);
 
-/// Returns the smallest edit that converts `before` to `after`: without common beginning and end. The edit does not
-/// divide a UTF-8 character.
+/// Returns the smallest edit that converts `before` to `after`: its range excludes the common beginning and end. The
+/// edit does not divide a UTF-8 character.
 TextEdit difference(std::string_view before, std::string_view after);
 
 }  // namespace grafverif::edit

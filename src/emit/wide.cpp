@@ -11,7 +11,7 @@ namespace grafverif {
 
 namespace {
 
-/// Reports each position at most once.
+/// Reports positions at which more than 32 bits may be necessary, each at most once.
 class Places {
 public:
     Places(std::string_view target, Diagnostics& diagnostics)
@@ -35,7 +35,7 @@ Type type_of(const Network& network, const Expr& leaf) {
     return leaf.op == Op::Variable ? network.variables[{static_cast<std::uint32_t>(leaf.value)}].type : Type{};
 }
 
-/// The terms of one template. A constant of the template has the range of its arguments.
+/// Checks the terms of one template. A constant of the template has the range of the arguments that processes pass.
 class TemplatePlaces {
 public:
     TemplatePlaces(const Network& network, Id<Network::Template> id, Places& places)
@@ -64,7 +64,7 @@ public:
     }
 
 private:
-    /// Restricts constants to the values of the arguments that processes pass.
+    /// Restricts the range of each constant to the values of the arguments that processes pass.
     void fit_constants(Id<Network::Template> id) {
         std::vector<bool> given(types_.size());
         for (const Network::Process& process : network_.processes)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Line breaking for generated models and programs.
+// Breaks the lines of generated models and programs.
 #pragma once
 
 #include <cstddef>

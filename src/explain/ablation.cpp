@@ -18,8 +18,8 @@ Network::Template& automaton_of(Network& network, Id<Network::Process> process) 
     return network.templates[network.processes[process].automaton];
 }
 
-/// The variables that an instance writes. For each variable: the flags that the instance sets whenever it writes the
-/// variable.
+/// The variables that an instance writes, each with the assignments to flags that the instance executes whenever it
+/// writes the variable.
 using WrittenVariables = std::map<std::uint32_t, std::vector<Network::Assignment>>;
 
 WrittenVariables written_by(const Network& network, const Network::Template& automaton) {
@@ -48,7 +48,8 @@ void silence_clocks(Network::Template& automaton) {
     }
 }
 
-/// Gives the instance a separate copy of its component, and returns the copy.
+/// Gives the instance a separate copy of its component, so that a change does not affect other instances. Returns the
+/// copy.
 Component& own_component(Model& model, Id<ClosedLoop> loop, Id<ClosedLoop::Instance> instance) {
     ClosedLoop::Instance& of = model.loops[loop].instances[instance];
     Component own = model.components[of.component];

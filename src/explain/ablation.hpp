@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Ablation: removes one element from a model, to test if a proof needs it.
 //
-//   a transition          is never cleared
-//   a step                has no effect: its continuous and stored actions and its forcing orders are removed
+//   a transition          the transition is never cleared
+//   a step                the step has no effect: its continuous and stored actions and its forcing orders are removed
 //   a term                one operand of an `and` or `or` is removed; a condition that is neither an `and` nor an `or`
 //                         is removed completely
-//   a statement           of a PLC program is not executed: an assignment, a call, EXIT or RETURN
-//   an edge               of one instance is never taken; the instance may stay in its source location forever
-//   a guard               of one edge of an instance is ignored: the edge may or may not be taken, within its
-//                         clock constraint
-//   a timing              the clocks of an instance or timer are ignored: each delay is arbitrary, possibly infinite
-//   an instance           may be in any location and write any output value at any time
+//   a statement           an assignment, a call, EXIT or RETURN of a PLC program is not executed
+//   an edge               an edge of one instance is never taken; the instance may stay in its source location forever
+//   a guard               the guard of one edge of an instance is ignored: within its clock constraint, the edge may or
+//                         may not be taken
+//   a timing              the clocks of an instance or timer are ignored: each of its delays is arbitrary, possibly
+//                         infinite
+//   an instance           the instance may be in any location and write any output value at any time
 //
 // Removing a guard, a timing or an instance over-approximates the loop: all reachable states remain reachable, apart
 // from the locations and clocks of a removed instance. Therefore, if a property of all states still holds after the
@@ -47,9 +48,9 @@ struct TermPlace {
     bool operator==(const TermPlace&) const = default;
 };
 /// Returns the terms of a chart in the order of transitions, continuous actions and events. Outer terms precede inner
-/// terms. A term is an operand of an `and` or `or`, at any depth below `and`, `or` and `not`. A complete condition is
-/// also a term, unless it is an `and`, an `or` or a constant. In events, only operands without an edge are included,
-/// because an event must keep an edge.
+/// terms. A term of this list is an operand of an `and` or `or`, at any depth below `and`, `or` and `not`. A complete
+/// condition is also a term, unless it is an `and`, an `or` or a constant. In events, only operands without an edge are
+/// included, because an event must keep an edge.
 std::vector<TermPlace> terms_of(const Chart& chart);
 Id<Expr> term_at(const Chart& chart, const TermPlace& place);
 /// Returns the name of the element whose condition contains the term, such as `t3` or `OUT in step 5`.
@@ -61,7 +62,8 @@ struct ProgramElement {
     bool transition = false;
     std::string name = {};  ///< the text of the statement, or the name of the transition, such as `Idle -> Run`
     Span origin = {};
-    std::vector<Id<Program::Statement>> statements = {};  ///< several only for a copy of an array or structure
+    /// Several statements only if one assignment copies an array or structure.
+    std::vector<Id<Program::Statement>> statements = {};
 };
 /// Returns the statements and transitions that the source of the program contains, in the order of the units. Branches
 /// and loops are not elements, but the statements in them are. Standard function blocks have no elements.
@@ -69,17 +71,18 @@ std::vector<ProgramElement> elements_of(const Program& program);
 /// Removes a statement, or makes the condition of a transition false.
 void drop_element(Program& program, const ProgramElement& element);
 
-/// True if removing the edge may add behaviour: the edge is forced, or its source location must be left.
+/// True if removing the edge may add behaviour, because the edge is urgent or its source location has an invariant.
 bool is_forced(const Component& component, Id<Component::Edge> edge);
 
-/// Gives the instance a separate component in the model, without the edge and without the invariant of its source
-/// location.
+/// Removes an edge of an instance: gives the instance a separate component in the model, without this edge and without
+/// the invariant of its source location.
 void drop_edge(Model& model, Id<ClosedLoop> loop, Id<ClosedLoop::Instance> instance, Id<Component::Edge> edge);
 
 /// True if the edge has a guard that can be removed: the guard is not constantly true, or the edge is urgent.
 bool is_guarded(const Component& component, Id<Component::Edge> edge);
 
-/// Gives the instance a separate component without the guard. In this component, the edge is not urgent.
+/// Removes the guard of an edge of an instance: gives the instance a separate component in the model, in which the edge
+/// has no guard and is not urgent.
 void drop_guard(Model& model, Id<ClosedLoop> loop, Id<ClosedLoop::Instance> instance, Id<Component::Edge> edge);
 
 /// Returns `changed` in expanded form, with the value ranges of `network`. `changed` is the network of the loop without
@@ -92,9 +95,9 @@ Network with_ranges_of(const Network& network, const Network& changed);
 bool drop_timing(Network& network, Id<Network::Process> process);
 
 /// Removes an instance: its outputs may have any value at any time. If `roams` is true, the instance can be in any
-/// location; otherwise, the instance remains in its first location. `roams` must be true if a property or `settled`
-/// reads its location. If the instance has too many output values, or calls procedures, returns false and changes
-/// nothing.
+/// location; otherwise, the instance remains in its first location. `roams` must be true if a property or the condition
+/// `settled` reads the location. If the instance has too many output values, or calls procedures, returns false and
+/// changes nothing.
 bool drop_instance(Network& network, Id<Network::Process> process, bool roams = true);
 
 }  // namespace grafverif

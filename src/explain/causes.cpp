@@ -11,7 +11,7 @@ namespace {
 
 using Terms = std::vector<Id<Expr>>;
 
-/// A run for the evaluation of terms: its distinct states, and the value of a term in each state.
+/// A run in which terms are evaluated: its distinct states, and a function for the value of a term in a state.
 struct States {
     const Exprs& exprs;
     Id<Expr> settled = {};
@@ -20,7 +20,7 @@ struct States {
     std::function<std::optional<std::int64_t>(std::size_t state, Id<Expr> term)> value = {};
 };
 
-/// A term that must be true in a state of a run, and whose failure is to be explained.
+/// Explains why a term that must be true in a state of a run is false.
 class RequiredTerm {
 public:
     RequiredTerm(const Exprs& exprs, Id<Expr> formula) : exprs_(exprs), formula_(formula) { collect(formula, true); }
@@ -115,7 +115,7 @@ private:
     std::vector<bool> positive_ = {}, negative_ = {}, twice_ = {}, values_ = {};
 };
 
-/// Returns the term that must be true in every state if a property about single states holds.
+/// Returns, for a property about single states, the term that is true in every state if the property holds.
 Id<Expr> safe(const Property& property, Exprs& exprs) {
     const Terms& p = property.operands;
     if (property.pattern == Pattern::Always) return p[0];
@@ -210,7 +210,8 @@ std::optional<Causes> causes_of(const Network& network, const Property& property
                                 std::size_t most) {
     const States seen{.exprs = network.exprs,
                       .settled = network.settled,
-                      // The last state is omitted, because it equals the first state of the loop.
+                      // For a run with a loop, the last state is omitted, because it equals the first state of the
+                      // loop.
                       .count = loop ? states.size() - 1 : states.size(),
                       .loop = loop,
                       .value = [&](std::size_t state, Id<Expr> term) { return value(network, states[state], term); }};

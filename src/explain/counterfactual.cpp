@@ -10,8 +10,8 @@ namespace grafverif {
 
 namespace {
 
-/// Maximum number of edges within one instant. If more edges are taken, the loop is assumed to take edges forever
-/// without a delay.
+/// Maximum number of edges within one instant. If a run takes more edges in one instant, the loop is assumed to take
+/// edges forever without a delay.
 constexpr std::size_t most_at_once = 1000;
 
 bool is_free(const Network& network, const Move& move) {
@@ -23,10 +23,10 @@ bool is_free(const Network& network, const Move& move) {
     return plant && !edge.urgent && network.templates[process.automaton].locations[edge.from].invariant.empty();
 }
 
-/// Re-executes a run, move by move.
+/// Re-executes a run without some of its free moves, move by move.
 class Remake {
 public:
-    /// `timed` is the network with clocks, which determines the moves that are free.
+    /// `timed` is the network with clocks, which determines which moves are free.
     Remake(const Network& network, const Network& timed, std::size_t& effort)
         : network_(network), timed_(timed), effort_(effort), state_(initial_state(network)) {}
 
@@ -68,7 +68,7 @@ private:
         return false;
     }
 
-    /// Executes `move`. Returns NoValue if the maximum effort has been reached.
+    /// Executes `move`. Returns NoValue also if the maximum effort has been reached.
     Step::Result perform_it(const Move& move) {
         if (effort_ == 0) return Step::Result::NoValue;
         --effort_;

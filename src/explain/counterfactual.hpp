@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The shortest change: a smallest set of free moves of a run such that a property about single states holds in every
-// state of the run without these moves.
+// Searches for the shortest change of a run that violates a property about single states: a smallest set of free moves
+// such that the property holds in every state of the run without these moves.
 //
 // A move is free if nothing forces it: an edge of the plant or its environment that is not urgent and whose source
 // location has no invariant. To omit a set of free moves, the run is re-executed from power-on:
 //   free moves and delays   are kept in the same order, each after the same time; if one of them is impossible, the
-//                           remaining moves are not a run, and the set is not a change
+//                           remaining moves are not a run, and the set is rejected
 //   all other moves         are kept if they are possible, and omitted otherwise
 //   forced moves            if time cannot pass, or a free move is impossible, the first edge of the network that is
-//                           enabled and not free is taken first; also at the end, if an urgent edge is enabled
+//                           enabled and not free is taken first; the same applies at the end of the run, if an urgent
+//                           edge is enabled
 // The result of the re-execution is a run of the network. The set is a change only if the property holds in all states
 // of this run.
 #pragma once
@@ -37,8 +38,8 @@ struct ShortestChange {
     bool exhausted = false;
 };
 
-/// Searches for the shortest change. Requires that `run` replays and violates `property`. Returns no change for
-/// properties that do not concern single states. `effort` is the maximum number of moves executed in total.
+/// Searches for the shortest change. Requires that `run` replays and violates `property`. The result contains no change
+/// if the property does not concern single states. `effort` is the maximum number of moves executed in total.
 ShortestChange shortest_change(const Network& network, const Property& property, const Run& run,
                                std::size_t effort = 5000, const StopRequested& stopped = {});
 /// Searches for the shortest change of a run of `network`, which has no clocks (explain/moves.hpp). `timed` is the

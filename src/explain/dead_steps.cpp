@@ -65,7 +65,8 @@ private:
         made.push_back({transition_, never, fmt::format("`{}` is never {}: {}", name, state, why)});
     }
 
-    /// Returns a term of the model that is true in every state in which `term` is true, or nothing if there is none.
+    /// Returns a term of the model that is true in every state in which the condition `term` is true, or nothing if no
+    /// such term is known.
     std::optional<Id<Expr>> bound_of(Id<Expr> term) {
         if (chart_.exprs[term].op != Op::Timed) return copy_of(term);
         // A condition `t1/v` is true only if the output of its timer is true. A condition `v/t2` can also be true while
@@ -76,8 +77,9 @@ private:
         return exprs_.leaf(Op::Variable, *end);
     }
 
-    /// Returns a copy of the term, or nothing if it contains an edge, a time condition or an output. A copy of an
-    /// output would be wrong, because conditions read the equation of the output, not its written value.
+    /// Returns a copy of the term for the model, or nothing if the term contains an edge, a time condition or an
+    /// output. For an output, a copy would be wrong, because conditions read the value of the output's equation, not
+    /// the value written to the plant.
     std::optional<Id<Expr>> copy_of(Id<Expr> term) {
         bool known = true;
         const auto leaf = [&](const Expr& node) {

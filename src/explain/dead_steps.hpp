@@ -16,8 +16,8 @@
 
 namespace grafverif {
 
-/// The variables of a model that store the values of the leaves of conditions: active steps, variables and timer
-/// outputs. Each variable is given by its index, which is the value of a leaf Op::Variable.
+/// The variables of a model that store the values that conditions read: active steps, variables and timer outputs. Each
+/// variable is identified by its index, which is the value of a leaf Op::Variable.
 struct ConditionLeaves {
     std::vector<std::uint32_t> steps = {};
     std::map<std::string, std::uint32_t> variables = {};  ///< inputs and internal variables by name
@@ -36,8 +36,8 @@ ConditionLeaves condition_leaves(const ControllerWords<Variable>& words) {
     return leaves;
 }
 
-/// A candidate statement: if `never` is true in no reachable state, `transition` is never cleared. `words` states the
-/// reason.
+/// A candidate statement: if the term `never` is true in no reachable state, `transition` is never cleared. `words`
+/// describes the reason.
 struct DeadTransition {
     Id<Chart::Transition> transition = {};
     Id<Expr> never = {};
@@ -45,8 +45,8 @@ struct DeadTransition {
 };
 
 /// Returns candidates for the transitions that lead directly to `step` or, if it is an entry step, to its macro-step.
-/// The candidates for each transition begin with the most specific one. Terms are added to `exprs` of the model.
-/// Conjuncts that read edges or outputs are omitted.
+/// The candidates for each transition begin with the most specific one. The function adds terms to `exprs`, which
+/// belongs to the model. Conjuncts that read edges or outputs are omitted.
 std::vector<DeadTransition> dead_transitions(const Chart& chart, const ConditionLeaves& leaves, Id<Chart::Step> step,
                                              Exprs& exprs);
 

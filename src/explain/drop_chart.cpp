@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ablation of elements of charts.
+// Removes elements of charts (see ablation.hpp).
 #include <algorithm>
 #include <span>
 #include <vector>
@@ -80,8 +80,8 @@ bool drop_actions(Chart& chart, Id<Chart::Step> step) {
     chart.continuous = without(chart.continuous, step);
     chart.forcing = without(chart.forcing, step);
     bool any = chart.continuous.size() + chart.forcing.size() != had;
-    // The variable must remain a stored variable and must keep its value. Therefore the action is not removed: it waits
-    // for an impossible event.
+    // Without its actions, the variable would not be a stored variable, which keeps its value. Therefore the action is
+    // not removed, but waits for an event that never occurs.
     for (Chart::StoredAction& action : chart.stored) {
         if (action.step != step || action.on == Chart::StoredOn::Clearing) continue;
         action.on = Chart::StoredOn::Event;

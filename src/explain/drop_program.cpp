@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ablation of elements of PLC programs.
+// Removes elements of PLC programs (see ablation.hpp).
 #include <algorithm>
 #include <map>
 #include <string>
@@ -30,7 +30,7 @@ public:
         const Id<Source> source = program_.units[program_.main].origin.source;
         for (const Id<Program::Unit> id : program_.units.ids()) {
             const Program::Unit& unit = program_.units[id];
-            if (unit.origin.source != source) continue;  // a standard function block
+            if (unit.origin.source != source) continue;  // the unit is a standard function block
             unit_ = unit.owner.valid() ? unit.owner : id;
             add(unit.body);
         }
@@ -47,8 +47,8 @@ private:
         return cells.size() == 1 ? names : "(" + names + ")";
     }
 
-    /// Returns the text of a statement. A statement that assigns the output Q of the action control of a Boolean
-    /// action, such as `run := action run.Q`, is named by the action.
+    /// Returns the name of a statement, which is its text. The exception is a statement that assigns the output Q of
+    /// the action control of a Boolean action, such as `run := action run.Q`: it has the name of the action.
     std::string name_of(const Statement& statement) const {
         constexpr std::string_view control = ":= action ", output = ".Q";
         std::string text = statement_text(program_, unit_, statement);
@@ -58,7 +58,7 @@ private:
     }
 
     void add(const Program::Body& body) {
-        bool follows = false;  // the last element is the preceding statement of this body
+        bool follows = false;  // true if the last element is the preceding statement of this body
         for (const Id<Statement> id : body) {
             const Statement& statement = program_.statements[id];
             if (const auto test = transitions_.find(id); test != transitions_.end()) {

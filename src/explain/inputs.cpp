@@ -19,8 +19,8 @@ using Symbol = Id<System::Symbol>;
 using ChoiceEvent = InputChange::ChoiceEvent;
 using Values = std::vector<std::int64_t>;  // value of each variable of the flat system
 
-/// Maximum number of steps after the end of the run. If no state is repeated within this number of steps, the run is
-/// rejected.
+/// Maximum number of steps by which a run is continued after its end. If no state is repeated within these steps, the
+/// run is rejected.
 constexpr std::size_t most_extra_steps = 1000;
 
 /// Number of terms up to which the maximum number of steps is not reduced. For larger systems, this maximum is reduced,
@@ -34,11 +34,11 @@ struct Free {
     std::uint32_t variable = 0;  ///< index of the variable in the flat system
     What what = What::Move;
     std::int64_t rest = 0;
-    Values recorded = {};          ///< value in each state of the run
-    std::vector<bool> event = {};  ///< true for each state of the run with an event
+    Values recorded = {};          ///< value of the variable in each state of the run
+    std::vector<bool> event = {};  ///< for each state of the run: true if the variable has an event in this state
 };
 
-/// Executes a system state by state. The values of its free variables are given.
+/// Executes a flat system state by state, for given values of its free variables.
 class Steps {
 public:
     Steps(const System& system, const Property& property) : flat_(flattened(system)), property_(property) {
@@ -140,9 +140,10 @@ public:
 private:
     std::size_t length() const { return run_.states.size(); }
 
-    /// Finds the free variables. Returns true if the run contains all free variables.
+    /// Finds the free variables. Returns true if every free variable is an input, a timer output or the order of
+    /// controllers, and the run contains its values.
     bool find_free() {
-        std::map<std::uint32_t, Symbol> symbols;  // symbol of each variable
+        std::map<std::uint32_t, Symbol> symbols;  // symbol of each variable of the flat system
         for (std::uint32_t index = 0; index < model_.flat().symbols.size(); ++index) {
             const Expr& value = model_.flat().exprs[model_.flat().symbols[index]];
             if (value.op == Op::Variable) symbols.emplace(static_cast<std::uint32_t>(value.value), Symbol{index});
@@ -187,7 +188,7 @@ private:
     }
 
     /// Re-executes the original run and stores the result. Returns true if the result is the same run and has a bad
-    /// state.
+    /// state, that is, a state that violates the property.
     bool again() {
         Values values(model_.flat().variables.size());
         for (std::size_t state = 0; state < length(); ++state) {
@@ -229,7 +230,8 @@ private:
         return std::ranges::find(left_out, ChoiceEvent{free.symbol, state}) != left_out.end();
     }
 
-    /// Returns the run without the events `left_out`, or nothing if it is not a valid run or has a bad state.
+    /// Returns the run without the events `left_out`. Returns nothing if the result is not a valid run or violates the
+    /// property in some state.
     std::optional<FlatRun> without(const std::vector<ChoiceEvent>& left_out) {
         const std::size_t from = left_out.front().state;
         if (*bad_ < from) {
@@ -278,8 +280,8 @@ private:
     std::size_t effort_ = 0;
     std::vector<Free> free_ = {};
     std::vector<Values> states_ = {};
-    std::optional<std::size_t> bad_ = {};  ///< index of the first bad state of the run
-    bool untimely_ = false;                ///< true if no plant can produce the original run
+    std::optional<std::size_t> bad_ = {};  ///< index of the first state of the run that violates the property
+    bool untimely_ = false;                ///< true if no plant can produce the original run (run/replay.hpp)
 };
 
 }  // namespace
@@ -292,8 +294,8 @@ InputChange fewest_input_changes(const System& system, const Property& property,
 
 namespace {
 
-/// Returns the first event, from `first` on, at which `chart_run` shows the expiry of the timer. The event can be later
-/// than `last` if the step of the timer becomes active later. If there is no such event, returns `last`.
+/// Returns the index of the first event, from `first` on, at which the timer expires in `chart_run`. The event can be
+/// later than `last` if the step of the timer becomes active later. If the timer does not expire, returns `last`.
 std::size_t event_of(const ChartRun& chart_run, Id<ChartRun::Timer> timer, std::size_t first, std::size_t last) {
     for (std::size_t moment = first; moment < chart_run.moments.size(); ++moment)
         if (chart_run.moments[moment].timer == timer) return moment;

@@ -34,9 +34,9 @@ bool is_of_controllers(const Event& moment) {
     return moment.kind == ChartRun::Kind::Controller || (moment.kind == ChartRun::Kind::Timer && moment.internal);
 }
 
-/// Returns the situations of `controller` in the loop, as a sequence that ends with the first situation again. The
-/// result is empty if an evolution in the loop is stable, if there is no evolution, or if another controller changes
-/// the inputs of `controller`.
+/// Returns the situations of `controller` in the loop of the run, as a sequence that ends with the first situation
+/// again. The result is empty if an evolution in the loop is stable, if there is no evolution, or if another controller
+/// changes the inputs of `controller`.
 std::string cycle_of(const ChartRun& run, Id<ChartRun::Controller> controller) {
     const ChartRun::Controller& named = run.controllers[controller];
     std::string last = situation_of(run, named, run.moments.back().after), cycle = last;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Explanations for loops that are not yet quiescent, or never become quiescent.
+// Explains violations in states in which the closed loop is not yet quiescent, and runs in which it never becomes
+// quiescent.
 #pragma once
 
 #include <string>
@@ -14,8 +15,8 @@ namespace grafverif {
 /// passes in the run. Returns false if the property is not a property of all states, or has `at stable`.
 bool is_violated_at_power_on(const Network& network, const Property& property, const Run& run);
 
-/// Returns the explanation of a violation at power-on. `at_stable` is the verdict on the same property, checked only in
-/// quiescent states.
+/// Returns the explanation of a violation at power-on. `at_stable` is the verdict on the same property with `at
+/// stable`, that is, checked only in quiescent states.
 std::string power_on_text(const Verdict& at_stable);
 
 /// Returns the explanation of a run that repeats forever within one instant and in which only controllers move. The

@@ -69,7 +69,7 @@ private:
         return found;
     }
 
-    /// Returns true if each instant of the run without the changes `left_out` ends.
+    /// True if each instant of the run without the input changes `left_out` ends.
     bool ends(const std::vector<ChartRun::Counterfactual>& left_out) {
         State state = power_on(chart_);
         std::vector<std::int64_t> values(chart_.variables.size());

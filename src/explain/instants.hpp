@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The shortest change of an open-loop run of a chart that does not become stable in its last instant (analyse,
-// `total-instability`): a smallest set of its input changes such that each instant of the run without these changes
-// ends. Events, and the effect of omitting them, are defined as in explain/inputs.hpp, instant by instant. The times of
-// the instants are unchanged. The interpreter executes the run without the omitted changes.
+// Searches for the shortest change of a run of a chart without a plant that does not become stable in its last instant
+// (finding `total-instability` of analyse): a smallest set of input changes such that each instant of the run without
+// these changes ends. Events, and the effect of omitting them, are defined as in explain/inputs.hpp, with instants in
+// place of states. The times of the instants are unchanged. The interpreter executes the run without the omitted
+// changes.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +20,7 @@ namespace grafverif {
 struct InstantChange {
     std::size_t events = 0;  ///< number of input changes
     std::optional<std::vector<ChartRun::Counterfactual>> left_out =
-        {};                 ///< events of the smallest set with the latest changes
+        {};                 ///< omitted input changes: among all smallest sets, the set whose changes occur latest
     std::size_t tried = 0;  ///< number of sets that were tried
     /// True if the search ended before all sets were tried: it was stopped or reached the maximum effort.
     bool exhausted = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Translates causes to elements of the charts.
+// Records causes in a ChartRun: translates terms of the model to elements of the charts and the plant.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -10,8 +10,8 @@ namespace grafverif {
 
 namespace {
 
-/// Adds a cause at one event. If the run already has an equal cause that ends at `before` or later, extends that cause
-/// instead.
+/// Adds the cause `cause`, which concerns one event, to the run. If the run already contains the same cause up to the
+/// event `before` or later, extends that cause instead.
 void append(ChartRun& run, const ChartRun::Cause& cause, std::size_t before) {
     for (ChartRun::Cause& earlier : run.causes) {
         ChartRun::Cause same = earlier;
@@ -24,8 +24,8 @@ void append(ChartRun& run, const ChartRun::Cause& cause, std::size_t before) {
     run.causes.push_back(cause);
 }
 
-/// Returns the signal that a timer observes. The result is empty if the timer observes a term, or if the signal has
-/// another name in the loop.
+/// Returns the signal that a timer observes. The result is empty if the timer observes a term, or if the loop has no
+/// signal with the name that the chart uses.
 std::optional<Id<ChartRun::Signal>> watched_signal(const ChartRun& run, const ChartRun::Timer& timer) {
     for (const Id<ChartRun::Signal> id : run.signals.ids()) {
         const ChartRun::Role role = run.signals[id].role;
@@ -50,9 +50,10 @@ std::optional<bool> watched_value(const ChartRun& run, Id<ChartRun::Timer> id, s
     return {};
 }
 
-/// Marks the timer output, whose value is `over`, as a cause. Conditions do not read the output alone: `3s/v` is the
-/// conjunction of `v` and the output, and `v/3s` is the disjunction. If the condition has another value than the
-/// output, or if the observed signal has no name, the output is not marked, and the causes are not exact.
+/// Marks the timer output, whose value is `over`, as a cause. Time conditions combine the output with the observed
+/// term: `3s/v` is the conjunction of `v` and the output, and `v/3s` is the disjunction. The output is not marked if
+/// the value of the condition differs from the output, or if the observed signal has no name. In this case, the causes
+/// are recorded as not exact.
 void append_time(ChartRun& run, Id<ChartRun::Timer> id, bool over, ChartRun::Cause cause, std::size_t before) {
     const ChartRun::Timer& timer = run.timers[id];
     const std::optional<bool> watched = watched_value(run, id, cause.first);
@@ -102,7 +103,7 @@ struct Places {
     }
 };
 
-/// Maps leaves of terms to elements of the run.
+/// Maps leaves of terms of a network to elements of the run.
 class Marker {
 public:
     Marker(const Network& network, const std::vector<NetworkState>& states, ChartRun& run)
@@ -158,7 +159,7 @@ private:
     const Network& network_;
     const std::vector<NetworkState>& states_;
     ChartRun& run_;
-    std::vector<Id<ChartRun::Instance>> instances_ = {};  // instance of each process
+    std::vector<Id<ChartRun::Instance>> instances_ = {};  // instance of the run for each process
     Places places_ = {};
 };
 
@@ -216,8 +217,8 @@ private:
         append(run_, cause, before);
     }
 
-    /// Marks the symbols that the definition of `symbol` reads. If one of these symbols has no element in the run, the
-    /// causes are not exact.
+    /// Marks the symbols that the definition of `symbol` reads. If the run has no element for one of these symbols, the
+    /// causes are recorded as not exact.
     void look_through(std::uint32_t symbol, const Causes::Pair& pair, std::size_t moment, std::size_t before) {
         const auto& kind = system_.modules[system_.main].symbols[{symbol}].kind;
         const auto* define = std::get_if<TransitionSystem::DefineSymbol>(&kind);
@@ -239,7 +240,7 @@ private:
     const SystemRun& shown_;
     ChartRun& run_;
     std::vector<std::size_t> moments_;
-    std::map<std::uint32_t, Id<ChartRun::Instance>> instances_ = {};  // instance of each symbol
+    std::map<std::uint32_t, Id<ChartRun::Instance>> instances_ = {};  // instance of the run for each location symbol
     Places places_ = {};
 };
 

@@ -11,7 +11,7 @@ namespace grafverif {
 
 namespace {
 
-/// The part of a network state that the module `main` represents.
+/// Compares states of a network with states of the module `main`, which represents a part of the network state.
 class MainView {
 public:
     MainView(const Network& network, const TransitionSystem& system) : network_(network) {
@@ -33,7 +33,7 @@ public:
         }
     }
 
-    /// True if a state of the module `main` represents `state`.
+    /// True if the state `main` of the module `main` represents `state`.
     bool shows(const NetworkState& state, const std::vector<std::int64_t>& main) const {
         const auto same_value = [&](const auto& each) {
             return network_.variables[each.first].scratch || state.variables[each.first.index] == main[each.second];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Converts a run of an untimed model with interleaved plant automata (schedule/network.hpp) to a run of the network
 // from which the model was derived. Each step of the run is an edge of one process, a unit of time, or no move.
-// Therefore analyses of runs of a network can be applied to runs of such a model.
+// After the conversion, analyses of network runs can be applied to the run.
 #pragma once
 
 #include <cstddef>
@@ -25,8 +25,8 @@ struct Moves {
 };
 /// Converts the run. Requires that schedule_network derived `system` from this network or, if the time of the system is
 /// abstract, from the network with clocks. The result is empty if the run has a loop or is not a run of the network.
-/// Not every run of the system is a run of the network: if a value leaves its range or two actions race, the run of the
-/// network ends, but the run of the system continues.
+/// Not every run of the system is a run of the network: after a value outside its range, or after a race of two
+/// actions, the run of the network ends, but the run of the system continues.
 std::optional<Moves> moves_of(const Network& network, const TransitionSystem& system, const SystemRun& run);
 
 /// Records the omitted moves in `chart_run`, the projection of the same run. If an omitted move does not correspond to

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds a smallest set with a given effect. All sets are tried in the order of increasing size, and sets of one size in
-// lexicographic order.
+// Finds a smallest set of numbers that has a given effect. Sets are tried in the order of increasing size, and sets of
+// equal size in lexicographic order.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace grafverif {
 
-/// Result of trying a set.
+/// The result of trying a set.
 enum class Attempt {
     Does,
     DoesNot,

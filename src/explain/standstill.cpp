@@ -71,7 +71,8 @@ Standstill standstill(const Network& network, const Run& run) {
     if (!whole.loop && !continue_without_delay(network, whole, *states)) return {};
 
     const std::size_t first = whole.loop.value_or(states->size() - 1);
-    // Element k is true if process k does not block time: one of its edges is enabled, or its invariant allows a delay.
+    // Element k is true if process k does not prevent time from passing: one of its edges is enabled, or its invariant
+    // allows a delay.
     std::vector<bool> free(network.processes.size());
     for (std::size_t at = first; at < states->size(); ++at) {
         const NetworkState& state = (*states)[at];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Explains a violated `no timelock`: the instances whose invariants block time, or the processes that take edges
-// forever without letting time pass.
+// Explains a violated `no timelock`: finds the instances whose invariants prevent time from passing, or the processes
+// that take edges forever while no time passes.
 #pragma once
 
 #include <string>
@@ -11,23 +11,24 @@
 
 namespace grafverif {
 
-/// The end of a run at which time cannot pass: the last state or, if the run repeats, each state of the repetition.
+/// The end of a run at which time cannot pass: the last state or, if the run ends in a loop, all states of the loop.
 struct Standstill {
     struct Blocker {
         Id<Network::Process> process = {};
         Id<Network::Location> location = {};
-        /// Constraints of the invariant of the location that a delay of one time unit would violate.
+        /// Clock constraints in the invariant of the current location that a delay of one time unit would violate.
         std::vector<Network::ClockConstraint> bounds = {};
     };
-    /// Processes whose invariants block time; none of their edges is enabled at the end of the run.
+    /// Processes whose invariants prevent time from passing; none of their edges is enabled at the end of the run.
     std::vector<Blocker> blockers = {};
     std::vector<Id<Network::Process>> repeating =
         {};                  ///< processes whose edges repeat forever; empty if no edge is enabled
-    bool continued = false;  ///< true if the run was continued by edges without delay up to this end
+    bool continued = false;  ///< true if the run was continued by edges without delay
 };
 
-/// Continues a finite run (see continue_without_delay). The result is empty if `run` is not a run of the network, if
-/// time may pass at the end of the run, or if the continuation becomes too long.
+/// Determines the cause of a timelock at the end of `run`; a finite run is first continued (see
+/// continue_without_delay). The result is empty if `run` is not a run of the network, if time may pass at the end of
+/// the run, or if the continuation becomes too long.
 Standstill standstill(const Network& network, const Run& run);
 
 /// Returns one sentence for each blocker, with its invariant and its edges, or one sentence that lists the repeating

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Interprets runs of the observer automata that compose/observer.cpp defines. The names of locations must be the same
-// as in compose/observer.cpp.
+// Interprets runs of the observer automata that compose/observer.cpp defines. The names of locations must agree with
+// the names in compose/observer.cpp.
 #include "explain/violation.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ namespace {
 using Kind = Sentence::Kind;
 using Scope = Sentence::Scope;
 
-/// The entry of the observer into `location`, after the observer has checked the state after event `moment`.
+/// The observer enters `location` when it checks the state after event `moment`.
 struct Entry {
     std::string location = {};
     std::size_t moment = 0;
@@ -72,12 +72,12 @@ private:
     }
     std::string when(std::size_t entry) const { return " at " + text_of(time(entry)); }
     std::string deadline(std::size_t from) const { return text_of(time(from) + sentence_.duration_ms); }
-    /// Returns operand `number` of the scope.
+    /// Returns operand `number` of the scope of the sentence, such as q in `after q`.
     const std::string& bound(std::size_t number) const {
         const bool binary = sentence_.kind == Kind::Response || sentence_.kind == Kind::Precedence;
         return terms_[(binary ? 2 : 1) + number];
     }
-    /// Returns the operand that closes the scope.
+    /// Returns the operand of the sentence that closes the scope, such as s in `between r and s`.
     const std::string& closing() const { return bound(sentence_.scope == Scope::Before ? 0 : 1); }
 
     void add(std::size_t entry, std::string words) { made_.steps.push_back({moment(entry), std::move(words)}); }
@@ -88,7 +88,7 @@ private:
         closed_ = true;
     }
 
-    /// Adds the step at which the violated scope begins.
+    /// Adds the explanation step for the event at which the violated scope begins.
     void add_opening() {
         if (sentence_.scope == Scope::Globally || sentence_.scope == Scope::Before) return;
         const std::size_t outside = last(sentence_.kind == Kind::Existence ? "idle" : "outside");
@@ -142,8 +142,8 @@ private:
         add(bad_, terms_[1] + " not true by then");
     }
 
-    /// Adds each event at which the operand becomes true in the scope. If there are many events, only the first and the
-    /// last are added.
+    /// Adds an explanation step for each event at which the operand becomes true in the scope. If there are many
+    /// events, adds only the first and the last.
     void add_occurrences() {
         constexpr std::size_t most = 6;
         std::vector<std::size_t> times;
@@ -162,10 +162,11 @@ private:
     const Sentence& sentence_;
     const ChartRun& run_;
     std::vector<Entry> entries_;
-    std::vector<std::string> terms_ = {};  ///< operands in quotation marks
+    std::vector<std::string> terms_ = {};  ///< operands of the sentence in quotation marks
     bool fails_ = false;                   ///< false if a required event never occurs
-    bool closed_ = false;                  ///< true if the steps include the end of the scope
-    std::size_t bad_ = 0, opening_ = 0;    ///< indices of entries
+    bool closed_ = false;                  ///< true if the explanation includes the end of the scope
+    /// Indices of the entries for the violation and for the opening of the scope.
+    std::size_t bad_ = 0, opening_ = 0;
     SentenceViolation made_ = {};
 };
 

@@ -22,8 +22,8 @@ namespace {
 
 constexpr auto progress_interval = std::chrono::milliseconds(250);
 
-/// True if the position is in the main file, which is the first source of the root. A position in an included file
-/// belongs to the root of that file.
+/// True if `origin` is in the main file of a root, which is its first source. Results about an included file belong to
+/// the root of that file.
 bool is_of(const Root&, Span origin) { return origin.source.valid() && origin.source.index == 0; }
 
 std::string outcome_text(const Verdict& verdict) {
@@ -34,7 +34,7 @@ std::string outcome_text(const Verdict& verdict) {
     return words;
 }
 
-/// Returns the output of `check` for this property alone.
+/// Returns the text that `check` prints for this property alone.
 std::string reported_by_check(const Report& report, const PropertyResult& answer) {
     Report one = report;
     one.answers = {answer};
@@ -94,14 +94,14 @@ void BackgroundChecker::work() {
             const std::lock_guard hold(mutex_);
             const auto proves = [](const Task& other) { return other.what == Task::What::Proofs; };
             if (std::ranges::none_of(tasks_, proves)) callbacks_.progress("");
-        } catch (const std::bad_alloc&) {  // the failure is not reported, because a report requires memory
+        } catch (const std::bad_alloc&) {  // the failure cannot be reported, because a report requires memory
         } catch (const std::system_error&) {
         }
     }
 }
 
-/// Calls `work` to determine the results of `source`, and reports the results. Exceptions of types std::bad_alloc and
-/// std::system_error are reported as diagnostics.
+/// Calls `work` to determine the results of the diagnostic source `source` (such as `models`), and reports the results.
+/// Exceptions of types std::bad_alloc and std::system_error are reported as diagnostics.
 template <class Work>
 void BackgroundChecker::run_and_report(const Task& task, const std::string& source, const Work& work) {
     Found outcome{task.root, source, {}, {}};
@@ -117,7 +117,7 @@ void BackgroundChecker::run_and_report(const Task& task, const std::string& sour
     if (!stop_) callbacks_.found(std::move(outcome));
 }
 
-/// Derives the models of the root, and reports the errors that the derivation finds.
+/// Derives the models of the task's root, and reports the errors that the derivation finds.
 void BackgroundChecker::make_models(const Task& task) {
     run_and_report(task, "models", [&](Found& outcome) {
         outcome.diagnostics = lsp_diagnostics(refused_models(task), *task.root->places);

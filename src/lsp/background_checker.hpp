@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Background checks, executed sequentially in a separate thread. For each root (a file that is parsed with its
-// includes), they derive the models, decide the properties, and analyse the charts. If a root is parsed again, its
-// pending checks are cancelled.
+// BackgroundChecker: executes checks sequentially in a separate thread. For each root (a file that is parsed with its
+// includes), the checks derive the models, decide the properties, and analyse the charts. If a root is parsed again,
+// its pending checks are cancelled.
 #pragma once
 
 #include <atomic>
@@ -22,7 +22,7 @@
 
 namespace grafverif::lsp {
 
-/// A verdict in the form in which it is displayed.
+/// A verdict in the form in which the editor displays it.
 struct VerdictDetails {
     std::string word = {};  ///< text such as `holds` or `violated, as expected`
     std::string text = {};  ///< output of `check`: the assumptions and the run
@@ -35,10 +35,10 @@ struct Task {
     std::string only = {};  ///< name of the loop or chart to check; all if empty
 };
 
-/// The result of a task, or a partial result.
+/// The complete or partial result of a task.
 struct Found {
     std::shared_ptr<const Root> root = {};
-    std::string source = {};  ///< the source of the diagnostics; they replace all earlier diagnostics of this source
+    std::string source = {};  ///< the source of the diagnostics, which replace all earlier diagnostics of this source
     std::vector<LspDiagnostic> diagnostics = {};
     std::map<std::string, VerdictDetails> verdicts = {};  ///< verdicts by key, such as `loop station/q P15`
 };
@@ -50,7 +50,7 @@ public:
         /// Called with the state of the checks; an empty text means that no check is running.
         std::function<void(std::string words)> progress = {};
     };
-    /// The thread of the checker calls both callbacks.
+    /// The thread of the checker calls the functions in `callbacks`.
     BackgroundChecker(Callbacks callbacks, std::optional<std::chrono::milliseconds> response_timeout);
     ~BackgroundChecker();
     BackgroundChecker(const BackgroundChecker&) = delete;

@@ -83,7 +83,7 @@ private:
         add({std::string(prefix) + element.name, kind_of(element.kind), declaration_text(element),
              comment_of(*element.file, element.whole), ""});
     }
-    /// Proposes the elements of `owner` that have one of the `kinds`. `owner` may be null.
+    /// Proposes the elements of `owner` that have one of the `kinds`. If `owner` is null, proposes nothing.
     void parts(const Declaration* owner, std::initializer_list<DeclarationKind> kinds, std::string_view prefix = "") {
         for (const Declaration* const part : owner == nullptr ? List() : names_.parts(owner))
             if (std::ranges::find(kinds, part->kind) != kinds.end()) element(*part, prefix);
@@ -165,7 +165,7 @@ private:
         if (last() == "=") keywords({"true", "false"});
     }
 
-    /// Handles `[NAME:] FROM -> TO when TERM do TARGET := TERM`.
+    /// Proposes continuations of an incomplete edge or transition `[NAME:] FROM -> TO when TERM do TARGET := TERM`.
     template <class Ends>
     void links(Ends ends) {
         if (has("do")) return assignments();
@@ -241,7 +241,8 @@ private:
         if (first == "property") property();
     }
 
-    /// Handles `controller NAME = CHART(...` and `partial NAME = CHART(...`. Returns false at other positions.
+    /// Proposes continuations of `controller NAME = CHART(...` and `partial NAME = CHART(...`. Returns false at all
+    /// other positions.
     bool chart_instance() {
         const Words& words = half_.words;
         const auto is = std::ranges::find(words, "=");
@@ -266,7 +267,7 @@ private:
                part.kind == DeclarationKind::Constant;
     }
 
-    /// Handles an incomplete declaration `fault NAME of INSTANCE: COMPONENT(...)`.
+    /// Proposes continuations of an incomplete declaration `fault NAME of INSTANCE: COMPONENT(...)`.
     void fault() {
         if (half_.words.size() == 2) keywords({"of"});
         if (half_.words.size() == 3) parts(owner_, {DeclarationKind::Instance});
@@ -274,7 +275,7 @@ private:
         instance(5);
     }
 
-    /// Handles an instance; `component` is the index of the word that names its component.
+    /// Proposes continuations of an incomplete instance. `component` is the index of the word that names its component.
     void instance(std::size_t component) {
         const Words& words = half_.words;
         if (words.size() <= component) {
@@ -305,7 +306,7 @@ private:
         }
     }
 
-    /// Handles an incomplete declaration of constants: `constant N: int LOW..HIGH = VALUE, ...`.
+    /// Proposes continuations of an incomplete declaration of constants: `constant N: int LOW..HIGH = VALUE, ...`.
     void constants() {
         const auto of = std::ranges::find(half_.words.rbegin(), half_.words.rend(), ",").base();
         const Words one(of, half_.words.end());
@@ -410,7 +411,7 @@ private:
         if (owner_->kind == DeclarationKind::Chart) return steps(owner_, before, "X");
         const Declaration* const part =
             names_.part(owner_, before, {DeclarationKind::Instance, DeclarationKind::Observer});
-        parts(part, {DeclarationKind::Location});  // of an observer
+        parts(part, {DeclarationKind::Location});  // `part` is an observer
         for (const Declaration* const component : names_.referred(part, DeclarationKind::Component))
             return parts(component, {DeclarationKind::Location});
         for (const Declaration* const chart : names_.referred(part, DeclarationKind::Chart))

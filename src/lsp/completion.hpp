@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Completion: proposals at the cursor. Proposals are names, with their declarations and comments, and the keywords that
-// are valid at this position.
+// Completion: computes proposals for the text at the cursor. Proposals are names, with their declarations and comments,
+// and the keywords that are valid at the cursor.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace grafverif::lsp {
 
-/// LSP 3.17, "CompletionItemKind".
+/// The kind of a proposal, with its number in LSP 3.17 ("CompletionItemKind").
 enum class ProposalKind {
     Function = 3,
     Field = 5,

@@ -35,7 +35,7 @@ std::vector<std::shared_ptr<const Root>> DiagnosticStore::look(Workspace& worksp
     std::set<std::string> wanted;
     for (const OpenText& open : workspace.open_texts()) {
         wanted.insert(open.path);
-        failure_of(open.path, [&] {  // an error is ignored here, because `read` will report it
+        failure_of(open.path, [&] {  // an error is ignored, because the function `read` reports it later
             for (std::string& root : workspace.roots(open.path)) wanted.insert(std::move(root));
         });
     }
@@ -68,7 +68,8 @@ std::shared_ptr<const Root> DiagnosticStore::read(const std::string& path, Works
     diagnostics.add(*failure);
     root->reading = {};
     root->references = {};
-    root->inputs = {{path, nullptr}};  // a null text is never current, so the next call reads the document again
+    // A null text always counts as changed, so the next call reads the document again.
+    root->inputs = {{path, nullptr}};
     root->places = std::make_shared<const Places>(root->reading.sources, path, shown);
     root->typed = lsp_diagnostics(diagnostics, *root->places);
     return root;

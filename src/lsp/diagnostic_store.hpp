@@ -19,17 +19,17 @@ struct Root {
     std::uint64_t number = 0;  ///< unique number of the parse
     Inputs inputs = {};
     ParseResult reading = {};
-    References references = {};  ///< names of all sources
+    References references = {};  ///< recorded names of all sources
     std::shared_ptr<const Places> places = {};
-    std::vector<LspDiagnostic> typed = {};  ///< the diagnostics of the parse
+    std::vector<LspDiagnostic> typed = {};  ///< the diagnostics that parsing produced
 };
 
 class DiagnosticStore {
 public:
-    /// Parses changed roots again, and returns the new parses. If a root cannot be read, this error is its only
+    /// Parses changed roots again, and returns the new parses. If a root cannot be read, the read error is its only
     /// diagnostic, and the next call tries to read the root again.
     std::vector<std::shared_ptr<const Root>> look(Workspace& workspace);
-    /// Parses a file. If the file cannot be read, this error is the only diagnostic of the result.
+    /// Parses a file. If the file cannot be read, the read error is the only diagnostic of the result.
     std::shared_ptr<const Root> read(const std::string& path, Workspace& workspace);
     std::shared_ptr<const Root> root(const std::string& path) const;
     std::vector<std::shared_ptr<const Root>> roots() const;

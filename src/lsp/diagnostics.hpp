@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Diagnostics for the editor, with positions in the units of the editor: lines and UTF-16 units.
+// Converts diagnostics for the editor. Positions are in the units of the editor: lines and UTF-16 code units.
 #pragma once
 
 #include <compare>
@@ -25,7 +25,7 @@ struct Related {
     auto operator<=>(const Related&) const = default;
 };
 
-/// An edit that replaces the text at the position.
+/// An edit that replaces the text at the position `where`.
 struct Edit {
     Place where = {};
     std::string replacement = {};
@@ -42,7 +42,7 @@ struct LspDiagnostic {
     auto operator<=>(const LspDiagnostic&) const = default;
 };
 
-/// Maps spans of `sources` to positions. A span without position is mapped to the beginning of `main`.
+/// Maps spans of `sources` to positions in the editor. A span without position is mapped to the beginning of `main`.
 class Places {
 public:
     /// `shown` maps the name of a source to the path that the editor displays.
@@ -57,7 +57,7 @@ private:
     std::vector<std::string> paths_ = {};  ///< path of each source
 };
 
-/// Converts diagnostics. A note without position is appended to the message.
+/// Converts diagnostics for the editor. A note without position is appended to the message.
 std::vector<LspDiagnostic> lsp_diagnostics(const Diagnostics& diagnostics, const Places& places);
 
 }  // namespace grafverif::lsp

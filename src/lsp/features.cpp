@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Requests of the editor about names and positions.
+// Handles requests of the editor about names and positions, such as definition, references and hover.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -17,12 +17,12 @@ namespace grafverif::lsp {
 
 namespace {
 
-/// LSP 3.17, "SymbolKind".
+/// Returns the number of the symbol kind in LSP 3.17 ("SymbolKind").
 int symbol_kind(DeclarationKind kind) {
     switch (kind) {
     case DeclarationKind::Chart: return 2;  // kind: module
     case DeclarationKind::Loop:
-    case DeclarationKind::Partial: return 3;  // namespace
+    case DeclarationKind::Partial: return 3;  // kind: namespace
     case DeclarationKind::Component:
     case DeclarationKind::Unit: return 5;    // kind: class
     case DeclarationKind::Action: return 6;  // kind: method
@@ -104,7 +104,7 @@ Session::Pointed Session::pointed(const Json& params) {
     const std::size_t offset = file->text->offset(position_of(params.at("position")));
     if (const Use* const use = all.use_at(*file, offset)) return {file, &all, use->element, use->where};
     for (const Word& word :
-         words_of(file->text->bytes(), file->language))  // finds names in text that the parser has skipped
+         words_of(file->text->bytes(), file->language))  // also finds names in text that the parser has skipped
         if (word.begin <= offset && offset <= word.end &&
             (word.kind == Word::Kind::Name || word.kind == Word::Kind::Number)) {
             const std::string name = file->text->bytes().substr(word.begin, word.end - word.begin);
@@ -131,7 +131,7 @@ Json Session::hover(const Json& params) {
 Json Session::definition(const Json& params) {
     const Pointed at = pointed(params);
     const Declaration* const element = at.element;
-    // An editor cannot open library files, which are not on the disk.
+    // An editor cannot open library files, because they are not on the disk.
     if (element == nullptr || element->file->path.starts_with('<')) return nullptr;
     return place_json(*element->file, element->where);
 }
@@ -174,7 +174,8 @@ Json Session::rename(const Json& params) {
     if (element->file->is_renamable) {
         const auto file = workspace_.parsed(element->file->path);
         const std::uint32_t begin = element->where.begin;
-        // The names include those of all files that include the file of the declaration.
+        // The names are looked up again for the file of the declaration: they include the names of all files that
+        // include that file.
         const Use* const declared = names(file->path).use_at(*file, begin);
         element = declared == nullptr ? nullptr : declared->element;
     }

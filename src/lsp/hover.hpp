@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Hover text of a declared element.
+// Creates the hover text of a declared element.
 #pragma once
 
 #include <string>

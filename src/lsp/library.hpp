@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The component library as texts and names, which are computed only once.
+// Provides the texts and names of the component library, which are computed only once.
 #pragma once
 
 #include <memory>

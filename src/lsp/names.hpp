@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Names: the declarations in a set of files, and all occurrences of their names, as name resolution records them. For
-// an incomplete text, the record contains the names that the parser and name resolution reach.
+// an incomplete text, Names contains only the names that the parser and name resolution reach.
 //
 // Declarations that must have the same name are one element in searches for references. Examples are the inputs of the
 // controllers of a loop, which the loop shares by name.
@@ -25,18 +25,19 @@ namespace grafverif::lsp {
 struct Declaration {
     DeclarationKind kind = DeclarationKind::Chart;
     std::string name = {};
-    const Declaration* owner = nullptr;  ///< the element that contains it; null for an element of the file
+    /// The element that contains this element; null for a top-level element of the file.
+    const Declaration* owner = nullptr;
     const Parsed* file = nullptr;
-    Span where = {};        ///< position of its name
-    Span whole = {};        ///< position of its declaration
-    std::size_t order = 0;  ///< number of elements that were recorded before this one
-    std::string text = {};  ///< the declaration in one line; empty for the text of the source
+    Span where = {};        ///< position of the name of the element
+    Span whole = {};        ///< position of the complete declaration
+    std::size_t order = 0;  ///< number of elements that were recorded before this element
+    std::string text = {};  ///< the declaration in one line; if empty, the source text is used
 };
 
 /// An occurrence of a name.
 struct Use {
     const Declaration* element = nullptr;
-    Span where = {};  ///< includes the `X` of a step variable `X2`
+    Span where = {};  ///< position of the occurrence; includes the `X` of a step variable `X2`
     bool declares = false, writes = false;
 
     /// Returns the position without the `X` of a step variable.
@@ -70,27 +71,27 @@ public:
     const std::vector<Use>& uses(const Parsed& file) const;
     const Use* use_at(const Parsed& file, std::size_t offset) const;
     /// Returns the element of the file `file` that `name` would denote at `offset`, as a term or as a step, or null if
-    /// there is no such element. The result is a guess, for use in text that the parser has skipped.
+    /// there is no such element. The result is only a guess, for text that the parser has skipped.
     const Declaration* meaning(const Parsed& file, std::size_t offset, std::string_view name) const;
     /// Returns the chart, component or loop with this name, or null if there is no such element.
     const Declaration* find(DeclarationKind kind, std::string_view name) const;
     /// Returns the element `name` of `owner` or of a partial chart of `owner`, or null if there is no such element.
-    /// `owner` may be null. If `permitted` is not empty, it contains the kind of the element.
+    /// `owner` may be null. If `permitted` is not empty, only elements whose kind it contains are considered.
     const Declaration* part(const Declaration* owner, std::string_view name, Kinds permitted = {}) const;
     /// `parts` returns the elements of `owner`, or the elements of all files if `owner` is null. `all` returns the
-    /// charts, components or loops. Both results are sorted by name.
+    /// charts, components or loops. The results of `parts` and `all` are sorted by name.
     const std::vector<const Declaration*>& parts(const Declaration* owner) const;
     std::vector<const Declaration*> all(DeclarationKind kind) const;
     /// Returns the chart, component or loop whose declaration contains `offset`, or null if there is no such element.
     const Declaration* around(const Parsed& file, std::size_t offset) const;
-    /// Returns the elements of one kind to which a declaration refers: the charts that a loop controls, the component
+    /// Returns the elements of kind `kind` to which a declaration refers, such as the charts of a loop or the component
     /// of an instance.
     std::vector<const Declaration*> referred(const Declaration* element, DeclarationKind kind) const;
 
-    /// Returns the representative of all elements that must have the name of `element`; null if `element` is null.
+    /// Returns the representative of all elements that must have the same name as `element`; null if `element` is null.
     const Declaration* shared(const Declaration* element) const;
-    /// Returns every use of the elements that must have the name of `element`, including declarations, file by file,
-    /// each position once.
+    /// Returns every use of the elements that must have the same name as `element`, including declarations. The uses
+    /// are ordered by file, and each position occurs once.
     std::vector<FileUse> everywhere(const Declaration& element) const;
 
 private:
@@ -104,7 +105,8 @@ private:
     std::deque<Declaration> elements_ = {};
     std::map<Site, Declaration*> sites_ = {};
     std::map<const Declaration*, std::vector<const Declaration*>> parts_ = {};  ///< elements by owner, sorted by name
-    std::map<const Declaration*, const Declaration*> shared_ = {};  ///< forest of the elements with a common name
+    /// Union-find forest of the elements that must have a common name.
+    std::map<const Declaration*, const Declaration*> shared_ = {};
     std::map<const Parsed*, std::vector<Use>> uses_ = {};
 };
 
@@ -112,7 +114,7 @@ private:
 bool same_name(const Parsed& file, std::string_view a, std::string_view b);
 /// Returns the text of the comment above a declaration or at the end of the line of the declaration.
 std::string comment_of(const Parsed& file, Span whole);
-/// Returns the line of a component's comment that describes a parameter: `order: rod in`.
+/// Returns the line of a component's comment that describes the parameter `parameter`, such as `order: rod in`.
 std::string parameter_comment(const Parsed& file, Span component, std::string_view parameter);
 /// Returns the declaration of an element in one line.
 std::string declaration_text(const Declaration& element);

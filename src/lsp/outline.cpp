@@ -18,7 +18,7 @@ std::vector<const Declaration*> elements_in(const Names& names, const Parsed& fi
     return found;
 }
 
-/// Indices into token_types.
+/// Types of semantic tokens, as indices into token_types.
 enum TokenType : std::uint32_t {
     Keyword,
     Comment,
@@ -109,7 +109,7 @@ std::vector<std::uint32_t> tokens(const Names& names, const Parsed& file) {
     const std::vector<Use>& uses = names.uses(file);
     auto use = uses.begin();
     const auto put = [&](std::size_t begin, std::size_t end, TokenType type, std::uint32_t modifiers) {
-        while (begin < end) {  // a token must not span several lines
+        while (begin < end) {  // divides a token at line ends, because a semantic token must not span several lines
             const std::size_t stop = std::min(std::string_view(text).substr(0, end).find('\n', begin), end);
             const Position from = file.text->position(begin), to = file.text->position(stop);
             if (from.line == to.line && from.character < to.character) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The structure of a text for the editor: outline, folding ranges, and semantic tokens.
+// Computes the structure of a text for the editor: outline, folding ranges, and semantic tokens.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ struct Entry {
 };
 std::vector<Entry> outline(const Names& names, const Parsed& file);
 
-/// The first and the last line of a folding range. Both lines remain visible when the range is folded.
+/// The first and the last line of a folding range. When the range is folded, its first and last line remain visible.
 struct Fold {
     std::uint32_t first = 0, last = 0;
     bool comment = false;
@@ -30,7 +30,8 @@ inline constexpr std::array<std::string_view, 12> token_types = {"keyword",  "co
                                                                  "variable", "parameter", "class",      "namespace",
                                                                  "function", "event",     "enumMember", "property"};
 inline constexpr std::array<std::string_view, 3> token_modifiers = {"declaration", "readonly", "modification"};
-/// Returns five numbers for each token, with positions relative to the previous token.
+/// Returns the semantic tokens as defined by LSP: five numbers for each token, with positions relative to the previous
+/// token.
 std::vector<std::uint32_t> tokens(const Names& names, const Parsed& file);
 
 }  // namespace grafverif::lsp

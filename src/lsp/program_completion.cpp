@@ -24,7 +24,7 @@ class ProgramProposer {
 public:
     ProgramProposer(const Names& names, const Parsed& file, std::size_t cursor)
         : names_(names), file_(file), unit_(unit_at(cursor)), elements_(names.parts(nullptr)) {
-        // Closed loops and other programs can use the same names, which a program does not contain.
+        // Elements of closed loops and other programs are removed, because a program cannot use them.
         std::erase_if(elements_, [&](const Declaration* element) {
             const bool standard = element->file->path.starts_with('<');
             return element->file->language != TextLanguage::StructuredText || (element->file != &file && !standard);
@@ -34,7 +34,8 @@ public:
             const std::string_view bytes = text.substr(word.begin, word.end - word.begin);
             if (word.kind == Word::Kind::Comment || word.kind == Word::Kind::String)
                 in_text_ = word.end == cursor && !is_closed(word.kind, bytes);
-            else if (word.kind == Word::Kind::Name && word.end == cursor) break;  // the word that is being typed
+            // The word at the cursor is incomplete and is omitted.
+            else if (word.kind == Word::Kind::Name && word.end == cursor) break;
             else words_.push_back(bytes), in_text_ = false;
         }
     }
@@ -84,7 +85,7 @@ private:
         return nullptr;
     }
 
-    /// Returns the unit or data type of a variable; null if it is elementary.
+    /// Returns the unit or data type of a variable; null if the type is elementary.
     const Declaration* type_of(const Declaration* variable) const {
         for (const DeclarationKind kind : {DeclarationKind::Unit, DeclarationKind::DataType}) {
             const auto types = names_.referred(variable, kind);
@@ -93,11 +94,12 @@ private:
         return nullptr;
     }
 
-    /// Returns the element named by the path that ends before word number `end`, such as `Line.Motor`; null if it is
+    /// Returns the element that the path before word number `end` denotes, such as `Line.Motor`; null if the path is
     /// unknown.
     const Declaration* owner_before(std::size_t end) const {
         std::size_t begin = end;
-        while (begin > 0 && words_[begin - 1] == "]") {  // an index does not change the type of the elements
+        // An index is skipped, because it does not change the type of the elements.
+        while (begin > 0 && words_[begin - 1] == "]") {
             while (begin > 0 && words_[begin - 1] != "[") --begin;
             if (begin > 0) --begin;
         }
@@ -130,7 +132,7 @@ private:
             if (type->kind == DeclarationKind::DataType || is_visible(*element)) add(*element);
     }
 
-    /// True if the `:` before the cursor belongs to a declaration, not to a label of CASE or to a step.
+    /// True if the `:` before the cursor belongs to a declaration, and not to a label of CASE or to a step.
     bool in_declaration() const {
         for (std::size_t k = words_.size(); k-- > 0;) {
             std::string word(words_[k]);

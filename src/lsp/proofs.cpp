@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Background checks of a session. A save or a command starts the checks. Their results are displayed as code lenses at
-// loops and properties.
+// Manages the background checks of a session. A save or a command starts the checks. The editor displays the results as
+// code lenses at loops and properties.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -79,7 +79,7 @@ std::string key_of(const std::string& loop, const std::string& property) { retur
 
 }  // namespace
 
-/// Returns the verdict on the property `key` if it belongs to the current texts; otherwise null.
+/// Returns the verdict on the property `key` if the verdict belongs to the current texts; otherwise null.
 const VerdictDetails* Session::shown(const std::string& path, const std::string& key) const {
     const auto root = board_.root(path);
     const auto known = verdicts_.find(path);
@@ -157,7 +157,7 @@ Json Session::show(const std::string& uri, bool elsewhere, const std::string& wo
 
 Json Session::show_verdict(const std::string& path, const std::string& loop, const std::string& property) {
     const VerdictDetails* known = shown(path, key_of(loop, property));
-    if (property.empty()) {  // called from the command palette, without a property: show the first verdict of the file
+    if (property.empty()) {  // the command palette passes no property: the first verdict of the file is shown
         const auto all = verdicts_.find(path);
         if (all != verdicts_.end() && !all->second.by_key.empty()) known = &all->second.by_key.begin()->second;
     }

@@ -25,7 +25,8 @@ bool is_structured_text_name(std::string_view word) {
 
 bool is_of_library(const Parsed& file) { return file.path.starts_with("<library>"); }
 
-/// True if the text of `file` contains the name of `element` at a position for which no meaning is recorded.
+/// True if the text of `file` contains the name of `element` at a position for which name resolution has recorded no
+/// meaning.
 bool has_unknown_meaning(const Names& names, const Parsed& file, const Declaration& element) {
     const std::string_view text = file.text->bytes();
     const std::string step = element.kind == DeclarationKind::Step ? 'X' + element.name : "";
@@ -69,9 +70,9 @@ std::string obstacle_of(const Names& names, const Declaration& element, bool err
     return {};
 }
 
-/// Returns two numbers for each name in all files. The first numbers of two names are equal if both names denote the
-/// same element. The second numbers are equal if the names denote elements that must have the same name. Texts that
-/// differ only in the names of elements have equal results.
+/// Returns two numbers for each occurrence of a name in all files. The first numbers of two occurrences are equal if
+/// they denote the same element. The second numbers are equal if the denoted elements must have the same name. Texts
+/// that differ only in the names of elements have equal results.
 std::vector<std::size_t> shape_of(const Names& names, const std::vector<std::shared_ptr<const Root>>& roots) {
     std::vector<std::size_t> shape;
     std::map<const Declaration*, std::size_t> numbers;
@@ -107,8 +108,8 @@ std::unique_ptr<const Names> names_of(Workspace& workspace, const std::vector<st
         }
     }
     // The recordings of texts without errors are last, because `use_at` prefers the last recording. For example, a file
-    // with a closed loop may not include the charts of its controllers. Then only a file that includes loop and charts
-    // has no errors.
+    // with a closed loop may not include the charts of its controllers. In this case, only a file that includes both
+    // the loop and the charts has no errors.
     std::vector<Recording> ordered;
     for (const bool erroneous : {true, false})
         for (std::size_t k = 0; k < roots.size(); ++k)

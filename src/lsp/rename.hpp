@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rename: renames an element at all its uses. The texts are parsed again with the new name. If a name then denotes
-// another element than before the renaming, or the texts have other errors than before, the renaming is rejected.
+// Renames an element at all its uses. The texts are parsed again with the new name. The renaming is rejected if a name
+// then denotes another element than before, or if the texts have other errors than before.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace grafverif::lsp {
 
-/// Returns the names of texts that were parsed.
+/// Returns the names in the texts of `roots`.
 std::unique_ptr<const Names> names_of(Workspace& workspace, const std::vector<std::shared_ptr<const Root>>& roots);
 
 struct Renaming {

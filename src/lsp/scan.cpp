@@ -27,8 +27,8 @@ constexpr std::array<std::string_view, 72> contextual = {
     "in",           "within",      "holds",     "most",     "least",      "every",    "since",    "before",
     "between",      "until",       "precedes",  "constant", "times",      "fault",    "program",  "any"};
 
-/// True if a name may begin with the character that contains `byte`. Characters beyond ASCII are accepted here; the
-/// lexer checks them.
+/// True if a name may begin with the character that contains `byte`. All characters beyond ASCII are accepted, because
+/// the lexer checks them later.
 bool begins_name(char byte) {
     return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') || byte == '_' ||
            static_cast<unsigned char>(byte) >= 0x80;
@@ -61,7 +61,7 @@ std::optional<Word> structured_text_word(std::string_view text, std::size_t at) 
     if (text.substr(at).starts_with("(*")) return to(Word::Kind::Comment, "*)", 2);
     if (text[at] == '{') return to(Word::Kind::Comment, "}", 1);
     if (text[at] != '\'') return {};
-    std::size_t end = at + 1;  // a string ends at the line; `$` precedes a character of the string
+    std::size_t end = at + 1;  // a string ends at the end of the line at the latest; `$` is the escape character
     while (end < text.size() && text[end] != '\'' && text[end] != '\n') {
         if (text[end] == '$' && end + 1 < text.size() && text[end + 1] != '\n') ++end;
         ++end;
@@ -188,11 +188,12 @@ IncompleteDeclaration half_at(std::string_view text, std::size_t cursor) {
         }
         if (seen == "(") ++brackets;
         if (seen == ")" && brackets > 0) --brackets;
-        if (seen == "]") {  // an index does not change the declaration
+        if (seen == "]") {  // removes an index, because it does not affect the proposals
             const auto index = std::ranges::find(half.words.rbegin(), half.words.rend(), "[");
             if (index != half.words.rend()) half.words.erase(std::prev(index.base()), half.words.end());
         } else if (seen == "{" && !half.blocks.empty() && !half.words.empty() && half.words.front() == "for") {
-            half.blocks.push_back(half.blocks.back());  // a replication permits the declarations of its outer block
+            // A replication permits the same declarations as the block that contains it.
+            half.blocks.push_back(half.blocks.back());
             half.words.clear();
             brackets = 0;
         } else if (seen == "{") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Error-tolerant scanner: the tokens of a text, for colours and for the position of the cursor in incomplete
+// Error-tolerant scanner: determines the tokens of a text, for syntax colours and for completion in incomplete
 // declarations.
 #pragma once
 
@@ -23,7 +23,7 @@ std::vector<Word> words_of(std::string_view text, TextLanguage language = TextLa
 /// Returns the keywords of Structured Text, in capital letters and in alphabetical order.
 std::span<const std::string_view> structured_text_keywords();
 
-/// True if `word` is a keyword of the language in some context.
+/// True if `word` is a keyword of the language in at least one context.
 bool is_keyword(std::string_view word, TextLanguage language = TextLanguage::Grafcet);
 /// True if `word` is a keyword in every context.
 bool is_reserved(std::string_view word);
@@ -34,7 +34,8 @@ bool is_name(std::string_view word, bool numbers);
 struct IncompleteDeclaration {
     std::vector<std::vector<std::string>> blocks = {};  ///< the tokens before each open `{`
     std::vector<std::string> words = {};  ///< tokens after the last `;` or brace, except the token at the cursor
-    bool in_text = false;                 ///< true if the cursor is in a comment or a string; there are no proposals
+    /// True if the cursor is in a comment or a string; completion then proposes nothing.
+    bool in_text = false;
 };
 IncompleteDeclaration half_at(std::string_view text, std::size_t cursor);
 

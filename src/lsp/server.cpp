@@ -41,7 +41,7 @@ Ending converse(const Receive& receive, const Send& send, const ServerEnvironmen
     while (!session.over() && !disconnected) {
         if (surroundings.keep_memory_back) surroundings.keep_memory_back();
         try {
-            const ReserveUse use(true);  // the report of a failure may use the reserved memory
+            const ReserveUse use(true);  // allocations for the report of a failure may use the reserved memory
             auto item = inbox.take(0ms);
             if (!item) {
                 session.settle();
@@ -54,7 +54,7 @@ Ending converse(const Receive& receive, const Send& send, const ServerEnvironmen
             else if (inbox.closed()) disconnected = true;
             else if (session.client() && surroundings.is_alive)
                 disconnected = !surroundings.is_alive(*session.client());
-        } catch (const std::bad_alloc&) {  // no response is sent, because a response also needs memory
+        } catch (const std::bad_alloc&) {  // no error response is sent, because it would also need memory
         } catch (const std::system_error&) {
         }
     }

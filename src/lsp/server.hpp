@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The language server: implements LSP 3.17 over a byte stream. It ends when the client sends `exit` or disappears.
+// The language server: implements LSP 3.17 over a byte stream. The server ends when the client sends `exit` or
+// disappears.
 //
-// One thread receives messages. Therefore a request can be cancelled, and a change can stop a check, while a response
-// is computed. A second thread handles the messages in the order of arrival, and a third thread runs the checks.
-// Invalid input does not end the server: the server sends an error response if the protocol defines a response for this
-// case.
+// One thread only receives messages, so that a request can be cancelled, and a change can stop a check, while a
+// response is computed. A second thread handles the messages in the order of arrival, and a third thread runs the
+// checks. Invalid input does not end the server. If the protocol defines an error response for the input, the server
+// sends it.
 #pragma once
 
 #include <chrono>
@@ -20,7 +21,7 @@
 namespace grafverif::lsp {
 
 using rpc::Receive;
-/// Writes all bytes.
+/// Sends bytes to the client; returns after all bytes have been written.
 using Send = std::function<void(std::string_view bytes)>;
 
 /// Callbacks and settings of the program that runs the server.
@@ -38,10 +39,11 @@ struct ServerEnvironment {
     /// Stores a text temporarily under this name for another program, and returns its path. The function is empty if
     /// texts cannot be stored temporarily.
     std::function<std::string(const std::string& name, const std::string& text)> keep = {};
-    /// Reserves memory, which is used to report the next failed allocation. The server calls the function between
-    /// messages. If the function is empty, no memory is reserved.
+    /// Reserves memory for the report of the next failed allocation. The server calls the function between messages. If
+    /// the function is empty, no memory is reserved.
     std::function<void()> keep_memory_back = {};
-    /// Ends a call of `Receive` that waits for bytes, if the client has disappeared without closing the stream.
+    /// Ends a call of `Receive` that waits for bytes. The server calls the function if the client has disappeared
+    /// without closing the stream.
     std::function<void()> hang_up = {};
 };
 

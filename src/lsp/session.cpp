@@ -183,7 +183,7 @@ void Session::settle() {
         for (; !unmade_.empty(); unmade_.pop_back())
             if (board_.is_current(*unmade_.back())) prover_->submit({unmade_.back(), Task::What::Models, ""});
         dirty_ = false;
-    } catch (const std::bad_alloc&) {  // `dirty_` is still true, so the next call tries again
+    } catch (const std::bad_alloc&) {  // `dirty_` is still true, so that the next call tries again
     } catch (const std::system_error&) {
     }
 }

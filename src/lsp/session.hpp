@@ -22,7 +22,7 @@ namespace grafverif::lsp {
 
 class Session {
 public:
-    /// Schedules a call in the thread of the session. Thread-safe.
+    /// Schedules a call in the thread of the session. Any thread may call this function.
     using Later = std::function<void(std::function<void()>)>;
     /// `ending` is set when the client has sent `exit` or has disappeared.
     Session(const Send& send, const ServerEnvironment& surroundings, Later later, const std::atomic<bool>& ending);
@@ -54,7 +54,7 @@ private:
 
     Json code_actions(const Json& params);
 
-    // Defined in features.cpp:
+    // The following members are defined in features.cpp.
     struct Pointed {
         std::shared_ptr<const Parsed> file = {};
         const Names* names = nullptr;
@@ -79,7 +79,7 @@ private:
     Json formatting(const Json& params);
     std::string verdict_text(const Declaration& element) const;
 
-    // Defined in proofs.cpp:
+    // The following members are defined in proofs.cpp.
     void saved();
     void prove(const std::string& path, const std::string& only);
     void found(Found outcome);
@@ -90,7 +90,7 @@ private:
     Json show_verdict(const std::string& path, const std::string& loop, const std::string& property);
     Json draw(const std::string& path, const std::string& chart);
     Json simulate(const std::string& path);
-    /// Shows the document at an address if the client can show documents; otherwise, shows the message `words`.
+    /// Shows the document at the address `uri` if the client can show documents; otherwise, shows the message `words`.
     Json show(const std::string& uri, bool elsewhere, const std::string& words);
     const VerdictDetails* shown(const std::string& path, const std::string& key) const;
     void request_client(const std::string& id, const std::string& method, const Json& params);
@@ -105,14 +105,14 @@ private:
     bool end_requested_ = false;
     std::optional<std::int64_t> client_ = {};
 
-    /// LSP 3.17, "ErrorCodes".
+    /// Error codes of LSP 3.17 ("ErrorCodes").
     static constexpr int not_initialized = -32002, request_failed = -32803, request_cancelled = -32800;
 
     Workspace workspace_;
     DiagnosticStore board_ = {};
-    std::vector<std::shared_ptr<const Root>> named_ = {};  ///< the roots of `names_`
+    std::vector<std::shared_ptr<const Root>> named_ = {};  ///< the roots from which `names_` was built
     std::unique_ptr<const Names> names_ = {};
-    bool dirty_ = false;  ///< true if a text has changed, or the client lacks the diagnostics
+    bool dirty_ = false;  ///< true if a text has changed, or the current diagnostics have not been sent to the client
     std::vector<std::shared_ptr<const Root>> unmade_ = {};  ///< roots whose models have not been requested yet
     std::map<std::string, std::string> published_ = {};     ///< the last published diagnostics for each address
 

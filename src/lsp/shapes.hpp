@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Conversions between values and JSON as defined by LSP 3.17. A conversion from JSON throws nlohmann::json::exception
-// if the JSON has another structure.
+// Converts between values and JSON as defined by LSP 3.17. A conversion from JSON throws nlohmann::json::exception if
+// the JSON does not have the required structure.
 #pragma once
 
 #include <functional>
@@ -31,8 +31,8 @@ Position position_of(const Json& json);
 Range range_of(const Json& json);
 std::vector<Change> changes_of(const Json& json);
 
-/// Returns the Boolean member of nested objects at `path`; false if the member, or an object on the path, is missing or
-/// has another type.
+/// Returns the Boolean at `path`, a list of member names in nested objects. Returns false if the member, or an object
+/// on the path, is missing or has another type.
 bool flag(const Json& object, std::initializer_list<const char*> path);
 
 }  // namespace grafverif::lsp

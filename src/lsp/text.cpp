@@ -13,7 +13,7 @@ namespace {
 
 struct Character {
     std::size_t bytes = 1;
-    std::uint32_t units = 1;  ///< number of UTF-16 units
+    std::uint32_t units = 1;  ///< number of UTF-16 code units
 };
 
 /// Returns the length of the first character of `text`. If the character is truncated, its length is the number of
@@ -26,7 +26,7 @@ Character first_character(std::string_view text) {
     return {bytes, bytes == 4 ? 2U : 1U};
 }
 
-constexpr std::size_t between_anchors = 256;  ///< distance in bytes
+constexpr std::size_t between_anchors = 256;  ///< distance of two anchors in a long line, in bytes
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Text: converts between byte offsets, which grafverif uses, and positions of an editor. In these positions, a line
-// ends with `\n`, `\r\n` or `\r`, and a character is a UTF-16 unit (LSP 3.17, "Position").
+// Text: converts between byte offsets, which grafverif uses, and positions of an editor. In editor positions, a line
+// ends with `\n`, `\r\n` or `\r`, and a character is a UTF-16 code unit (LSP 3.17, "Position").
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,8 @@ namespace grafverif::lsp {
 /// A position as an editor counts it. Lines and characters are numbered from 0.
 struct Position {
     std::uint32_t line = 0;
-    std::uint32_t character = 0;  ///< in UTF-16 units; a value beyond the end of the line denotes the end of the line
+    /// In UTF-16 code units; a value beyond the end of the line denotes the end of the line.
+    std::uint32_t character = 0;
     auto operator<=>(const Position&) const = default;
 };
 /// A range from the first position to the position after the last character.
@@ -32,8 +33,8 @@ public:
     /// Returns the position of byte `offset`. If the offset is beyond the end of the text, returns the position of the
     /// end.
     Position position(std::size_t offset) const;
-    /// Returns the offset of `position`. If the position is beyond the end of its line or of the text, returns the
-    /// offset of this end.
+    /// Returns the offset of `position`. If the position is beyond the end of its line, returns the offset of the end
+    /// of the line; if it is beyond the text, returns the length of the text.
     std::uint32_t offset(Position position) const;
     Range range(std::size_t begin, std::size_t end) const { return {position(begin), position(end)}; }
     std::size_t lines() const { return anchors_.back().position.line + std::size_t{1}; }
@@ -50,7 +51,7 @@ private:
     std::vector<Anchor> anchors_ = {{}};
 };
 
-/// An edit of a text. An edit without a range replaces the complete text.
+/// A change of a text in the editor. An edit without a range replaces the complete text.
 struct Change {
     std::optional<Range> range = {};
     std::string text = {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Source positions of a trace: the positions of cleared transitions and moving instances, in the order of the trace.
-// Each position has its event and time.
+// Determines the source positions of a trace: the positions of cleared transitions and moving instances, in the order
+// of the trace, each with its event and time.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ public:
     TraceLocations(const Model& model, Id<Chart> chart, const Places& places)
         : model_(model), chart_(chart), places_(places) {}
 
-    /// Returns the positions of a run. The number of positions is limited for readability: for a longer run, only the
+    /// Returns the positions of a run. The number of positions is limited for readability: for a long run, only the
     /// first and the last rows are included.
     std::vector<Related> of(const ChartRun& run) const;
 

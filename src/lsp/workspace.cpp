@@ -17,15 +17,16 @@ namespace grafverif::lsp {
 namespace {
 
 constexpr std::size_t most_entries = 20'000;  ///< maximum number of files and folders to visit in the workspace
-/// Maximum number of bytes of a file that is read only for its includes.
+/// Maximum size in bytes of a file that is not open and is searched for includes of open documents; larger files are
+/// ignored.
 constexpr std::size_t largest_scanned = 4U << 20U;
 
-/// True if the text can refer to other files.
+/// True if the text may refer to other files.
 bool may_refer(std::string_view text) {
     return text.find("include") != std::string_view::npos || text.find("program") != std::string_view::npos;
 }
 
-/// Adds the comments of Structured Text to `parsed`, and determines if the text has syntax errors.
+/// Parses a text in Structured Text: adds its comments to `parsed`, and determines if it has syntax errors.
 void parse_structured_text(Parsed& parsed) {
     const std::string& text = parsed.text->bytes();
     Sources sources;
@@ -199,7 +200,7 @@ std::vector<std::string> Workspace::roots(const std::string& path) {
     scan();
     std::set<std::string> candidates(files_.begin(), files_.end());
     for (const auto& [uri, open] : open_) candidates.insert(open.path);
-    // The key of each included file, mapped to the files that include this file.
+    // Maps the key of each included file to the files that include it.
     std::map<std::string, std::vector<std::string>> includers;
     std::map<std::string, std::string> keys;
     for (const std::string& candidate : candidates) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Workspace: the current texts of all files. A document that is open in the editor replaces the file on the disk, both
-// when the file itself is parsed and when another file includes it. All other files are read from the disk, and read
-// again when they change.
+// Workspace: the current texts of all files. A document that is open in the editor replaces the file on the disk, also
+// if another file includes this file. All other files are read from the disk, and read again when they change.
 #pragma once
 
 #include <atomic>
@@ -23,7 +22,7 @@ namespace grafverif::lsp {
 
 struct OpenText {
     std::string uri = {}, path = {};
-    std::string identity = {};  ///< identity of the file on the disk, if it exists
+    std::string identity = {};  ///< identity of the file on the disk; empty if the file does not exist
     std::int64_t version = 0;
     std::shared_ptr<const Text> text = {};
     /// True if an edit could not be applied, so that this text differs from the text in the editor.
@@ -55,13 +54,13 @@ using Files = std::vector<std::shared_ptr<const Parsed>>;
 /// Returns the language of a text. `path` determines the language of a text that does not identify its language.
 TextLanguage language_of(const std::string& path, std::string_view text);
 
-/// The input texts of a parse. The parse is valid while these texts are unchanged.
+/// The input texts of a parse, by path. The parse is valid while these texts are unchanged.
 using Inputs = std::vector<std::pair<std::string, std::shared_ptr<const Text>>>;
 
 class Workspace {
 public:
-    /// If `within` is not empty, files on disk are read only below these folders. `stop`, if not null, cancels searches
-    /// in folders.
+    /// If `within` is not empty, only files below these folders are read from the disk. If `stop` is not null, it is a
+    /// flag that cancels searches in folders.
     explicit Workspace(std::vector<std::string> include_folders, const std::vector<std::string>& within = {},
                        const std::atomic<bool>* stop = nullptr)
         : include_folders_(std::move(include_folders)), within_(within), stop_(stop) {}
@@ -78,12 +77,12 @@ public:
     /// Returns the address under which the file is open in the editor. If the file is not open, returns an address
     /// derived from the path.
     std::string uri_of(const std::string& path) const;
-    /// Returns the path of the file in the editor. If the file is not open, returns `path`.
+    /// Returns the path under which the file is open in the editor. If the file is not open, returns `path`.
     std::string shown(const std::string& path) const;
     std::vector<OpenText> open_texts() const;
 
-    /// Returns true if files on the disk have changed since they were read. If the result is true, the stored texts
-    /// have been discarded, so that the files are read again.
+    /// True if files on the disk have changed since they were read. In this case, the function discards the stored
+    /// texts, so that the files are read again.
     bool refresh();
     /// Returns the text of a file, or null if it does not exist.
     std::shared_ptr<const Text> text(const std::string& path);
@@ -98,7 +97,7 @@ public:
     ParseResult reading(const std::string& path, Inputs& inputs, References& references);
     bool holds(const Inputs& inputs);
 
-    /// Returns a text that is equal for all paths to a file.
+    /// Returns a text that identifies a file. The text is equal for all paths to the same file.
     std::string key(const std::string& path) const;
 
 private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arguments of the tools: a table from which their JSON schema is derived, and the check of received arguments.
+// Defines the arguments of the MCP tools: the table from which their JSON schema is derived, and the check of received
+// arguments.
 #pragma once
 
 #include <cstdint>
@@ -17,17 +18,18 @@ struct Argument {
     Kind kind = Kind::Name;
     std::string description = {};
     bool required = false;
-    std::vector<std::string> choices = {};  ///< values of a Choice
-    std::int64_t least = 0, most = 0;       ///< range of a Number
+    std::vector<std::string> choices = {};  ///< permitted values, for the kind Choice
+    std::int64_t least = 0, most = 0;       ///< range of values, for the kind Number
 };
 
-/// Maximum length in bytes of a Name, and maximum number of Names.
+/// Maximum length in bytes of a name (`longest_name`), and maximum number of names in an argument of the kind Names
+/// (`most_names`).
 inline constexpr std::size_t longest_name = 4096, most_names = 1000;
 
-/// Returns the JSON schema of an object with these members.
+/// Returns the JSON schema of an object with the members `known`.
 Json schema_of(const std::vector<Argument>& known);
-/// Returns the error of the received arguments, or an empty string: an argument is unknown, missing, of another type or
-/// outside of its range, or a text contains the character NUL.
+/// Returns the error in the received arguments, or an empty string. It is an error if an argument is unknown, missing,
+/// of another type or outside of its range, or if a text contains the character NUL.
 std::string argument_error(const std::vector<Argument>& known, const Json& received);
 
 }  // namespace grafverif::mcp

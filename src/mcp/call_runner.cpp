@@ -7,7 +7,7 @@ namespace grafverif::mcp {
 
 CallRunner::CallRunner(std::size_t most_running, std::size_t most_waiting)
     : most_running_(most_running), most_waiting_(most_waiting) {
-    running_.reserve(most_running);  // so that no worker thread allocates memory for this list
+    running_.reserve(most_running);  // reserved, so that no worker thread allocates memory for this list
 }
 
 CallRunner::~CallRunner() {

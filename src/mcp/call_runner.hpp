@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// CallRunner: executes calls in worker threads, in the order of submission.
+// CallRunner: executes calls in worker threads. The calls start in the order of submission.
 #pragma once
 
 #include <atomic>
@@ -27,7 +27,7 @@ public:
     CallRunner(const CallRunner&) = delete;
     CallRunner& operator=(const CallRunner&) = delete;
 
-    /// Returns false if too many calls are waiting. Throws std::system_error if no thread can be started.
+    /// Adds a call. Returns false if too many calls are waiting. Throws std::system_error if no thread can be started.
     bool submit(std::shared_ptr<Work> work);
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `read`, `draw`, `simulate`, `analyse` and `compare`.
+// Implements the tools `read`, `draw`, `simulate`, `analyse` and `compare`.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 
 using Kind = Argument::Kind;
 
-/// Limits of a result: maximum number of bytes of the text, and of elements of a list.
+/// Limits of a result: maximum length of the text in bytes, and maximum numbers of findings and scans.
 constexpr std::size_t longest_text = 200'000, most_findings = 200, most_scans = 1000;
 
 Json string_type() { return {{"type", "string"}}; }
@@ -41,7 +41,7 @@ std::string message_line(const Json& element, const char* level) {
                        element.at("message").get<std::string>(), element.at("code").get<std::string>());
 }
 
-/// Returns the models that `check --list` prints, each with the list of its properties.
+/// Returns the models in the output of `check --list`, each with the list of its properties.
 Json models_of(const Json& listed) {
     Json models = Json::array();
     for (const Json& each : listed) {

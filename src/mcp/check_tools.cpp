@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// `check` and `explain`: verdicts, and the counterexample of one property as text and as data. `tune` and `faults`:
-// verdicts for variants of a closed loop. Each of these tools converts the JSON output of a command.
+// Implements four tools. `check` returns verdicts. `explain` returns the verdict and the counterexample of one property
+// as text and as data. `tune` and `faults` return verdicts for variants of a closed loop. Each of these tools converts
+// the JSON output of a command.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,7 +41,7 @@ constexpr const char* property_schema = R"({
   "required": ["name", "verdict", "expected", "as_expected", "assumptions"]
 })";
 
-/// A combination is a list of names of faults.
+/// JSON schema of the result of `faults`. A combination is a list of names of faults.
 constexpr const char* faults_schema = R"({
   "type": "object",
   "properties": {
@@ -123,7 +124,7 @@ std::vector<std::string> check_command(ToolCall& call) {
     return command;
 }
 
-/// Joins a list of lines; empty for null.
+/// Joins a list of lines; returns an empty string for null.
 std::string text_of_lines(const Json& lines) {
     std::string text;
     if (lines.is_array())
@@ -133,7 +134,8 @@ std::string text_of_lines(const Json& lines) {
 
 bool is_expected(const Json& property) { return property.at("verdict") == property.at("expected"); }
 
-/// Converts an element of `properties`. If `always` is false, the trace is included only if the verdict is unexpected.
+/// Converts an element of `properties` in the output of `check`. If `always` is false, the result contains the trace
+/// only if the verdict is unexpected.
 Json property_of(const Json& found, std::size_t longest_trace, bool always) {
     const bool shown = always || !is_expected(found);
     Json made = {
@@ -175,7 +177,7 @@ std::string verdict_line(const Json& property) {
     return line;
 }
 
-/// Returns the verdicts as text. Verdicts with the same assumptions are listed together.
+/// Returns the verdicts as text. Verdicts under the same assumptions are listed together.
 std::string verdicts_text(const Json& data, const Json& properties) {
     std::string text;
     for (const Json& error : data["model_errors"])
@@ -210,7 +212,7 @@ ToolResult check(ToolCall& call) {
     return result;
 }
 
-/// Returns the first steps of a trace, without the member `moment`.
+/// Returns the first steps of a trace as JSON, without their members `moment`.
 Json steps_of(const Json& trace) {
     Json steps = first_of(trace.at("steps"), most_steps);
     for (Json& step : steps) step.erase("moment");
@@ -279,7 +281,7 @@ std::string ranges_text(const Json& ranges) {
     return all;
 }
 
-/// Converts an element of `properties` of `tune`, and appends its text to `text`.
+/// Converts an element of `properties` in the output of `tune`, and appends its text to `text`.
 Json tuned_property(const Json& found, std::string& text) {
     Json made;
     copy_members(found, {"name", "expected", "current", "margins"}, made);
@@ -309,14 +311,14 @@ ToolResult tune(ToolCall& call) {
     return result;
 }
 
-/// Returns a combination of `faults` as text: `A + B`.
+/// Returns a combination of faults as text, such as `A + B`.
 std::string combination_text(const Json& faults) {
     std::string names;
     for (const Json& fault : faults) names += (names.empty() ? "" : " + ") + fault.get<std::string>();
     return names.empty() ? "no fault" : names;
 }
 
-/// Converts an element of `properties` of `faults` without its runs, and appends its text to `text`.
+/// Converts an element of `properties` in the output of `faults` without its runs, and appends its text to `text`.
 Json property_with_faults(const Json& found, std::string& text) {
     Json made;
     copy_members(found, {"name", "without_faults", "unknown", "non_monotone"}, made);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `complete`: names and keywords at a position. A language server that runs only for this call determines the names and
-// keywords.
+// Implements the tool `complete`, which returns the names and keywords that are valid at a position. A language server
+// that runs only for this call determines these names and keywords.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ using Kind = Argument::Kind;
 constexpr std::size_t most_proposals = 200;
 constexpr int completion_id = 2;
 
-/// Returns the word for a kind of proposal (LSP 3.17, "CompletionItemKind").
+/// Returns the name of a kind of proposal (LSP 3.17, "CompletionItemKind").
 std::string kind_word(int kind) {
     static const std::map<int, std::string> words = {
         {3, "transition"}, {5, "parameter"}, {6, "variable"},  {7, "component"}, {9, "chart or loop"},
@@ -49,7 +49,7 @@ std::string conversation(const std::string& uri, const std::string& text, std::i
     return messages;
 }
 
-/// Returns the response of the language server to the request for proposals.
+/// Returns the response to the request for proposals from the output `bytes` of the language server.
 Json response_in(const std::string& bytes) {
     std::size_t at = 0;
     rpc::Framing framing([&](std::span<char> buffer) {

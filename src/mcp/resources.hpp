@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Resources of the MCP server: the reference of the language, and the components of the library. All resources are
-// embedded in the program.
+// Provides the resources of the MCP server: the reference of the language, and the components of the library. All
+// resources are embedded in the program.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -19,9 +19,10 @@ struct Page {
 };
 std::span<const Page> pages();
 
-/// Returns the list of resources as `resources/list` sends it.
+/// Returns the list of resources in the form in which the method `resources/list` returns it.
 Json resource_list();
-/// Returns the content of a resource as `resources/read` sends it; nothing if no resource has this address.
+/// Returns the content of a resource in the form in which the method `resources/read` returns it; nothing if no
+/// resource has the address `uri`.
 std::optional<Json> resource_content(std::string_view uri);
 
 }  // namespace grafverif::mcp

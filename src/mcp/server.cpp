@@ -29,11 +29,11 @@ void converse(const rpc::Receive& receive, const Send& send, const ServerEnviron
         return true;
     };
     const rpc::Receiver receiver({[&] { return framing.next(); }, put, environment.hang_up}, inbox);
-    // At the end of the stream, the requests that were received are still handled; calls that wait are cancelled.
+    // After the end of the stream, requests that were received before are still handled; waiting calls are cancelled.
     while (!session.disconnected()) {
         if (environment.keep_memory_back) environment.keep_memory_back();
         try {
-            const ReserveUse use(true);  // the report of a failure may use the reserved memory
+            const ReserveUse use(true);  // allocations for the report of a failure may use the reserved memory
             const auto item = inbox.take(tick);
             if (item && item->call) item->call();
             else if (item && item->message != nullptr) session.take(*item->message);
@@ -41,7 +41,7 @@ void converse(const rpc::Receive& receive, const Send& send, const ServerEnviron
                 session.refuse(item->refused ? "there is not enough memory for the message" : item->error_text);
             else if (inbox.closed()) break;
             session.report_progress();
-        } catch (const std::bad_alloc&) {  // no response, because it also needs memory
+        } catch (const std::bad_alloc&) {  // no error response is sent, because it would also need memory
         } catch (const std::system_error&) {
         }
     }

@@ -81,8 +81,8 @@ void Session::take_batch(const Json& messages) {
     close(batch);
 }
 
-/// Called when a call of the batch has ended, and when all messages of the batch are read. Sends the responses after
-/// the last of these events.
+/// Called when a call of a batch has ended, and when all messages of the batch have been read. After the last of these
+/// events, sends the responses.
 void Session::close(const SharedBatch& batch) {
     if (batch != nullptr && --batch->open == 0 && !batch->responses.empty()) send(batch->responses);
 }
@@ -94,7 +94,8 @@ void Session::take_single(const Json& message, const SharedBatch& batch) {
         reply(rpc::failure(rpc::is_id(id) ? id : Json(), rpc::invalid_request, why), batch);
     };
     const bool is_response = rpc::is_id(id) && (message.contains("result") || message.contains("error"));
-    if (is_response && !message.contains("method")) return;  // ignored, because the server sends no requests
+    // A response is ignored, because the server sends no requests.
+    if (is_response && !message.contains("method")) return;
     const std::string method = rpc::method_of(message);
     if (method.empty() || member(message, "jsonrpc") != "2.0")
         return refused("the message is not a request or notification of JSON-RPC 2.0");
@@ -114,7 +115,7 @@ void Session::notified(const std::string& method, const Json& params) {
     if (found == calls_.end()) return;
     found->second.work->stop = true;
     const SharedBatch batch = found->second.batch;
-    calls_.erase(found);  // a cancelled request has no response
+    calls_.erase(found);  // no response is sent to a cancelled request
     close(batch);
 }
 
@@ -202,14 +203,15 @@ void Session::call(const Json& id, const Json& params, const SharedBatch& batch)
 
 void Session::finished(const Json& id, std::uint64_t number, Json result) {
     const auto found = calls_.find(id);
-    if (found == calls_.end() || found->second.number != number) return;  // the call was cancelled
+    // The result is discarded, because the call was cancelled.
+    if (found == calls_.end() || found->second.number != number) return;
     const ActiveCall call = std::move(found->second);
     calls_.erase(found);
     reply(rpc::response(id, std::move(result)), call.batch);
     close(call.batch);
 }
 
-/// Executes a call. Worker threads call this function.
+/// Executes a call of a tool and returns its result. Worker threads call this function.
 Json Session::result_of(const Tool& tool, const Json& arguments, const std::atomic<bool>& stop) const {
     const auto content = [](const std::string& text) { return Json{{"type", "text"}, {"text", text}}; };
     const auto failed = [&](const std::string& why) {

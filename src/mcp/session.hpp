@@ -20,7 +20,7 @@ namespace grafverif::mcp {
 
 class Session {
 public:
-    /// Schedules a call in the thread of the session. Thread-safe.
+    /// Schedules a call in the thread of the session. Any thread may call this function.
     using Later = std::function<void(std::function<void()>)>;
     Session(const Send& send, const ServerEnvironment& environment, Later later);
 
@@ -34,7 +34,7 @@ public:
     bool disconnected() const { return disconnected_; }
 
 private:
-    /// The responses to a batch (MCP 2025-03-26), which are sent as one message.
+    /// The responses to a batch of messages (MCP 2025-03-26), which are sent as one message.
     struct Batch {
         std::size_t open = 0;  ///< number of calls without a result, plus 1 while the batch is read
         Json responses = Json::array();
@@ -74,7 +74,7 @@ private:
     std::string version_ = {};  ///< negotiated version of the protocol; empty before `initialize`
     bool disconnected_ = false;
     std::uint64_t last_call_ = 0;
-    std::map<Json, ActiveCall> calls_ = {};  ///< by request id
+    std::map<Json, ActiveCall> calls_ = {};  ///< active calls by request id
     CallRunner runner_;                      ///< declared last, so that its threads end first
 };
 

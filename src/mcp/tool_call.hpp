@@ -21,18 +21,18 @@ using Json = nlohmann::json;
 
 struct ToolResult {
     std::string text = {};
-    Json data = {};  ///< null if the tool has no data
+    Json data = {};  ///< the result as data; null if the tool has no data
 };
 
-/// Failure of a call that the client can correct, such as an error in a file. The failure becomes a result with
-/// `isError`.
+/// A failure of a call that the client can correct, such as an error in a file. The response to the call is a result
+/// with the member `isError`.
 struct CallError {
     std::string text = {};
 };
 
 class ToolCall {
 public:
-    /// The time limit begins now. `arguments` conform to the table of the tool.
+    /// Starts the time limit of the call. Requires that `arguments` have been checked against the table of the tool.
     ToolCall(const ServerEnvironment& environment, Json arguments, const std::atomic<bool>& stop);
 
     bool has(const char* name) const { return arguments_.contains(name); }
@@ -41,21 +41,24 @@ public:
         return has(name) ? arguments_[name].get<std::int64_t>() : fallback;
     }
 
-    /// Returns the operand for the input: the path in `file`, or `-` for `text`, which the command then reads as
-    /// standard input. Throws CallError if the call has both arguments or neither argument.
+    /// Returns the input operand of a command: the path in the argument `file`, or `-` if the call has the argument
+    /// `text`, which the command then reads from standard input. Throws CallError if the call has both arguments or
+    /// neither of them.
     std::string operand();
-    /// Returns the file of the input after a call of `operand` or `content`; nothing if the input is `text`.
+    /// Returns the input file; nothing if the input is the argument `text`. Requires an earlier call of `operand` or
+    /// `content`.
     const std::optional<std::filesystem::path>& file() const { return file_; }
-    /// Returns the path in the argument as an absolute path without symbolic links. A relative argument refers to the
-    /// first folder of the server that contains such a file. Throws CallError if the path is outside of the folders.
+    /// Returns the path in the argument as an absolute path without symbolic links. A relative path refers to the first
+    /// folder of the server that contains such a file. Throws CallError if the path is outside of the folders.
     std::filesystem::path located(const char* argument) const;
-    /// As `located`, but in the form in which a command reads the path.
+    /// Returns the same path as `located`, as a command-line argument.
     std::string path(const char* argument) const;
     /// Returns the content of the input. Throws CallError if the input cannot be read or is larger than the maximum
     /// size of a message.
     std::string content();
-    /// Appends `--option=value` for each given argument of this list: texts, choices, names (one option for each), and
-    /// flags (without a value). Underscores of the name become dashes.
+    /// Appends `--option=value` for each argument in `names` that the call has: for a text or choice, one option; for a
+    /// list of names, one option per name; for a flag, an option without a value. Underscores in the name of the
+    /// argument become dashes.
     void add_options(std::vector<std::string>& command, std::initializer_list<const char*> names) const;
 
     void set_input(std::string input) { input_ = std::move(input); }
@@ -65,7 +68,8 @@ public:
     /// Executes a command that prints JSON. If the command prints no JSON, throws CallError with the error messages of
     /// the command.
     Json execute_json(std::vector<std::string> command, int* exit_code = nullptr) const;
-    /// Executes `grafverif lsp`, which has no option that limits the duration of the complete run.
+    /// Executes `grafverif lsp` within the limits of the call. A separate function is necessary, because `lsp` has no
+    /// option that limits the duration of the complete run.
     ProgramResult execute_language_server(const std::string& messages) const;
 
     const ServerEnvironment& environment() const { return environment_; }
@@ -82,12 +86,12 @@ private:
     std::string input_ = {};
 };
 
-/// Returns the text. A text of more than `most` bytes is cut at the end of a line, and a note states that it is
+/// Returns `text`. A text with more than `most` bytes is cut at the end of a line, and a note states that the text is
 /// incomplete.
 std::string shortened(std::string text, std::size_t most);
-/// Copies the members with these names to `to`. Requires that `from` has all these members.
+/// Copies the members `names` of `from` to `to`. Requires that `from` has all these members.
 void copy_members(const Json& from, std::initializer_list<const char*> names, Json& to);
-/// Returns at most `most` elements of the beginning of the list.
+/// Returns the first `most` elements of the list, or all elements if there are fewer.
 Json first_of(const Json& list, std::size_t most);
 
 }  // namespace grafverif::mcp

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tools: the table of all tools that the MCP server offers. A tool runs commands of grafverif and converts their output
-// to a short result.
+// Defines the table of all tools that the MCP server offers. A tool runs commands of grafverif and converts their
+// output to a short result.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -25,10 +25,12 @@ struct Tool {
 /// Returns all tools. The ranges of `timeout` and `max_memory` depend on the environment.
 std::vector<Tool> tools(const ServerEnvironment& environment);
 
-/// Returns the tools as `tools/list` sends them. Before version 2025-06-18, tools had no titles and output schemas.
+/// Returns the tools in the form in which the method `tools/list` returns them. In protocol versions before 2025-06-18,
+/// tools have neither titles nor output schemas.
 Json tool_list(std::span<const Tool> tools, bool structured);
 
-// Functions that return the tools without their common arguments: chart_tools.cpp, check_tools.cpp, complete_tool.cpp.
+// The following functions return the tools without their common arguments; they are defined in chart_tools.cpp,
+// check_tools.cpp and complete_tool.cpp.
 Tool read_tool();
 Tool draw_tool();
 Tool simulate_tool();

@@ -23,7 +23,7 @@ ChartContent drawn_chart_content(const Model& model, const Sources& sources, Id<
     return content;
 }
 
-/// Returns the contents of the sections about one chart; nothing after an error.
+/// Returns the content of the sections about one chart, or nothing after an error.
 std::optional<ChartContent> content_of(const Model& model, const Sources& sources, Id<Chart> chart, bool single,
                                        std::optional<ExecutionMode> mode, const Limits& limits,
                                        Diagnostics& diagnostics) {

@@ -19,11 +19,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// For each chart or program of the page: the values of its statements; empty for a chart.
+/// For each chart or program of the page: the values of the program's statements; empty for a chart.
 using AllScans = std::vector<std::optional<ProgramScans>>;
 
-/// Returns the data of the chart at `place` on the page. `chart` is this chart, possibly with other values of
-/// constants.
+/// Returns the data of the chart with the index `place` on the page. `chart` is this chart, or the same chart with
+/// other values of constants.
 Json chart_entry(std::size_t place, const ChartContent& content, const Chart& chart) {
     const ElementIds ids = element_ids(chart, content.prefix);
     Json one = {{"figure", "chart-" + std::to_string(place)},
@@ -52,7 +52,7 @@ Json charts_json(const PageContent& content, const AllScans& programs) {
     return list;
 }
 
-/// Returns, for each controller of a run, the scans of its program; null for a chart.
+/// Returns, for each controller of a run, the scans of its program, or null if the controller is a chart.
 Json scans_json(const ChartRun& run, const Playable& playable, AllScans& programs, std::size_t& remaining) {
     Json list = Json::array();
     for (const std::size_t chart : playable.charts) {
@@ -113,10 +113,10 @@ Json violation_json(const std::optional<SentenceViolation>& violation) {
     return {{"moment", violation->moment}, {"steps", std::move(steps)}};
 }
 
-/// Removes the moves of observers from a run, because observers do not change the state of the closed loop.
+/// Removes the moves of observer automata from a run, because observers do not change the state of the closed loop.
 void omit_observers(ChartRun& run, std::optional<SentenceViolation>& violation) {
     std::vector<ChartRun::Event> kept;
-    // For each event: the index in `kept` of the last event that is kept and not later than this event.
+    // For each event of the original run: the index in `kept` of the last kept event that is not later.
     std::vector<std::size_t> places;
     for (ChartRun::Event& moment : run.moments) {
         if (moment.kind != ChartRun::Kind::Observer) kept.push_back(std::move(moment));
@@ -226,7 +226,7 @@ std::vector<Playable> playable_runs(const PageContent& content) {
 
 namespace {
 
-/// Returns the index of `value` in `list`, to which it is added if it is missing.
+/// Returns the index of `value` in `list`. If `list` does not contain `value`, adds it.
 std::size_t add_once(Json value, Json& list) {
     const auto known = std::ranges::find(list, value);
     const auto index = static_cast<std::size_t>(known - list.begin());
@@ -234,7 +234,8 @@ std::size_t add_once(Json value, Json& list) {
     return index;
 }
 
-/// Returns the index of the property of a run. The property of a run with other values of constants is added.
+/// Returns the index of the property of a run in `properties`. If the run has other values of constants than the page,
+/// its property is first added to `properties`.
 std::optional<std::size_t> add_property(const PageContent& content, const Playable& playable, Json& properties) {
     if (!content.loop.valid()) return {};
     const Model& model = model_of(content, playable);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Data of the page's script: one JSON document, in the element `data`.
+// Writes the data of the page's script: one JSON document, in the element `data`.
 //
-//   version     1
+//   version     version of the format: 1
 //   charts      per controller, in order: `figure` (the id of the element around the drawing), `ids` (of the drawing's
 //               elements, see ElementIds: `steps`, `transitions`, `conditions`, `continuous`, `stored`, `forcing`), and
 //               the chart as in page/terms.hpp: `name`, `steps`, `transitions` (`name`, `from`, `condition`), `timed`,
@@ -18,8 +18,8 @@
 //                 `time` (in ms), a list of the names of the values, or null for a number
 //   properties  the properties of the loop, see page/terms.hpp: `name`, `pattern`, `at_stable`, `operands`, `terms`
 //   plant       per instance, by name, the id of the figure with the drawing of its component
-//   runs        the runs to play:
-//     name        in addresses: `#NAME/INDEX`, INDEX being a row, or `ROW+MOVES` between rows
+//   runs        the runs that the page can play, each with these members:
+//     name        name in addresses: `#NAME/INDEX`; INDEX is a row, or `ROW+MOVES` for a state between two rows
 //     kind        `counterexample`, `witness`, `evidence`, `breakdown`, `test`, `recording`
 //     title       display text
 //     property    index of its property in `properties`, or null
@@ -28,13 +28,14 @@
 //                 list of timers of the controller, or null
 //     scans       for each controller of the run: the scans of its program, or null. A scan is `[moment, changes]`.
 //                 Each change is `[point, value]`, or `[point, value, count]` if the point was evaluated several times;
-//                 the value is null if the scan did not evaluate the point. Other points are as in the previous scan
+//                 the value is null if the scan did not evaluate the point. A point without a change has the same value
+//                 as in the previous scan
 //     initial     for each instance, by name, the index of its initial location, if known
 //     end         the text shown at the end of the run; may be empty
 //     violation   how the run violates a sentence that an observer checks, or null: `moment` is the event from which on
 //                 the sentence fails, and each of `steps` has `words` and its `moment`, or null
-//     inside      the moments that are not states of the model: if the run shows one step of the model as several
-//                 moments, only the state after the last of these moments is a state of the model
+//     inside      the moments after which there is no state of the model: if the run shows one step of the model as
+//                 several moments, only the state after the last of these moments is a state of the model
 //     run         the run (docs/reference/trace-format.md) without moves of observers; each of `rows` has the display
 //                 text as `moment`, `words`, `cleared` and `shown` (false: included in the next row);
 //                 `loop_from` is the index of the first row that repeats forever, or null
@@ -55,14 +56,15 @@ struct Playable {
     std::string property = {};  ///< name of a property of the loop; may be empty
     const ChartRun* run = nullptr;
     std::vector<std::size_t> charts = {};  ///< index of the chart of each controller of the run
-    /// Indices of the initial locations of instances, by name, if they are not those of the model; nothing if unknown.
+    /// Indices of the initial locations of instances, by name of the instance, if they differ from the model; empty if
+    /// unknown.
     std::map<std::string, std::optional<std::size_t>> initial = {};
     /// Model of the run if it is not the model of the page. Both models have the same controllers and the same elements
     /// in their charts; conditions, properties and instances may differ.
     const Model* model = nullptr;
 };
-/// Maximum length of the runs on a page. It is limited because browsers are slow with large pages.
-inline constexpr std::size_t longest_playable = 100'000;  // number of events of all runs together
+/// Maximum total length of the runs on a page. The length is limited, because browsers are slow with large pages.
+inline constexpr std::size_t longest_playable = 100'000;  // total number of events of all runs
 /// Maximum number of scans and of changes of values of statements on a page.
 inline constexpr std::size_t most_points = 1'000'000;
 /// True if the page may contain the run. For other runs, the page states only their length.
@@ -70,18 +72,18 @@ inline bool can_be_played(const ChartRun& run) {
     return !run.moments.empty() && !run.rows.empty() && run.moments.size() <= longest_playable;
 }
 
-/// Returns the runs of the content that can be played, up to the limit, in this order: model errors, violated
-/// properties, witnesses, runs of findings, test sequences.
+/// Returns the runs of the content that can be played, up to longest_playable events, in this order: model errors,
+/// violated properties, witnesses, runs of findings, test sequences.
 std::vector<Playable> playable_runs(const PageContent& content);
 
 /// Returns the runs of the fault analysis. `charts` contains the index of the chart of each controller.
 std::vector<Playable> fault_runs(const PageContent& content, const std::vector<std::size_t>& charts);
 
-/// Returns the runs at points of a grid whose models have the controllers and the elements of the drawings. `charts`
-/// contains the index of the chart of each controller.
+/// Returns the runs at those points of the tuning grid whose models have the same controllers and elements as the
+/// drawings. `charts` contains the index of the chart of each controller.
 std::vector<Playable> tuning_runs(const PageContent& content, const std::vector<std::size_t>& charts);
 
-/// Returns the runs of the timings that explain a recording.
+/// Returns the runs of charts that correspond to admissible timings of a recording.
 std::vector<Playable> recording_runs(const PageContent& content);
 
 /// Returns the selected properties of the loop that have no verdict because the model cannot express them.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The results of a fault analysis on a page: the minimal combinations of faults for each property, and the effects of
-// each fault (FMEA).
+// Adds the results of a fault analysis to a page: the minimal combinations of faults that violate each property, and
+// the effects of each fault (FMEA).
 #include "report/charts/faults.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ std::string run_name(const FaultAnalysis& analysis, const FaultAnalysis::Row& ro
 std::string error_run_name(std::size_t index) { return "model error " + std::to_string(index + 1); }
 
 /// Returns the initial locations of the instances whose faults are present from power-on. In the model with a fault,
-/// the locations of the fault follow those of the instance (pipeline/variants/fault_model.hpp).
+/// the locations of the fault follow the locations of the instance (pipeline/variants/fault_model.hpp).
 std::map<std::string, std::optional<std::size_t>> initial_locations(const PageContent& content,
                                                                     const FaultSet& from_power_on) {
     const ClosedLoop& loop = content.model.loops[content.loop];
@@ -85,7 +85,7 @@ void add_cut(const FaultAnalysis& analysis, const FaultAnalysis::Row& row, const
     html.close("li");
 }
 
-/// Adds a list with the first `most_listed` of `lines`.
+/// Adds a list with at most the first `most_listed` elements of `lines`.
 void add_list(std::string_view title, const std::vector<std::string>& lines, Html& html) {
     if (lines.empty()) return;
     html.put("p", title).open("ul");
@@ -180,7 +180,8 @@ std::vector<Playable> fault_runs(const PageContent& content, const std::vector<s
                      "",
                      &error.trace.trace,
                      charts};
-        // The analysis does not state which of the faults are present from power-on.
+        // For an error, the analysis does not state which faults are present from power-on; the initial locations are
+        // therefore unknown.
         for (auto& [instance, location] : run.initial = initial_locations(content, error.faults)) location.reset();
         runs.push_back(std::move(run));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The head of a page: the summary verdict and the assumptions.
+// Adds the head of a page: the summary verdict and the assumptions.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,7 +31,8 @@ std::size_t errors_found(const PageContent& content) {
     return errors;
 }
 
-/// Returns text about the analyses of the charts; an empty string if the analyses are complete and found no errors.
+/// Returns text about the errors and open checks of the analyses of the charts; an empty string if the analyses are
+/// complete and found no errors.
 std::string errors_text(const PageContent& content) {
     if (const std::size_t errors = errors_found(content); errors != 0)
         return "the chart analysis found " + counted(errors, "error", "errors");

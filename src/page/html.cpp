@@ -8,7 +8,8 @@ namespace grafverif {
 
 namespace {
 
-/// True for inline elements. After an inline element, no line break is written, because browsers render it as a blank.
+/// True if `tag` is an inline element. After an inline element, no line break is written, because browsers render a
+/// line break as a blank.
 bool inline_tag(std::string_view tag) { return tag == "code" || tag == "strong" || tag == "span"; }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Html: builder of a page. Text and values of attributes are escaped, so that text of the user is never interpreted as
-// markup. Control characters, including those for text direction, become `?`.
+// Html: builds the text of a page. Text and values of attributes are escaped, so that browsers never interpret text of
+// the user as markup. Control characters, including characters that control the text direction, become `?`.
 #pragma once
 
 #include <string>
@@ -14,7 +14,8 @@ class Html {
 public:
     using Attributes = std::vector<std::pair<std::string_view, std::string>>;
 
-    /// Begins an element. Requires that tags and names of attributes are constants of the program.
+    /// Begins an element. The tag and the names of attributes are not escaped; they must be constants in the source
+    /// code.
     Html& open(std::string_view tag, const Attributes& attributes = {});
     Html& close(std::string_view tag);
     Html& text(std::string_view words);
@@ -22,7 +23,7 @@ public:
     Html& put(std::string_view tag, std::string_view words, const Attributes& attributes = {});
     /// Adds a message. Text between backticks is formatted as code.
     Html& prose(std::string_view message);
-    /// Adds markup that the program generated.
+    /// Adds markup without escaping it. Requires that grafverif generated the markup.
     Html& trusted(std::string_view markup);
 
     const std::string& str() const { return html_; }

@@ -72,8 +72,8 @@ private:
     void print(const std::string& text) {
         if (printed_) listing_.lines.push_back(std::string(2 * depth_, ' ') + text);
     }
-    /// Makes the line of `origin` in the source the current line. If the listing is printed, adds the line `printed`
-    /// and makes it the current line.
+    /// Sets the current line: the line of `origin` in the source or, if the listing is printed, a new line with the
+    /// text `printed`.
     void begin(Span origin, const std::string& printed) {
         print(printed);
         line_ = line_of(listing_, origin).value_or(static_cast<std::uint32_t>(listing_.lines.size() - 1));
@@ -193,8 +193,8 @@ private:
         print("END_FOR;");
     }
 
-    /// Adds a condition and the variables that it reads. A condition that is only a variable is not added, because the
-    /// interpreter records it as a read variable.
+    /// Adds a condition and the variables that it reads. A condition that consists only of a variable is not added,
+    /// because the interpreter records it as a read variable.
     void add_condition(Id<Program::Node> id) {
         add_reads(id);
         const Program::Node& node = program_.nodes[id];
@@ -217,7 +217,8 @@ private:
     const Program& program_;
     Id<Source> source_;
     Id<Program::Unit> unit_ = {};  ///< the unit that owns the frame of the current body
-    std::map<std::uint32_t, const Program::Sequence::Transition*> tests_ = {};  ///< transition of each test statement
+    /// Transition of each statement that tests a transition condition.
+    std::map<std::uint32_t, const Program::Sequence::Transition*> tests_ = {};
     bool printed_ = false;
     std::uint32_t line_ = 0;
     std::size_t depth_ = 0;

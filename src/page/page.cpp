@@ -39,7 +39,7 @@ void add_contents(const PageContent& content, Html& html) {
     html.close("ul").close("nav");
 }
 
-/// Adds to the runs of the report the transitions that each scan of a program clears.
+/// Adds to the runs of the content the transitions that each scan of a program clears.
 void add_cleared_transitions(PageContent& content) {
     const auto add = [&](ChartRun& run) {
         for (std::size_t k = 0; k < content.charts.size() && k < run.controllers.size(); ++k)

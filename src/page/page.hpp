@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// page_of: writes all results about a file as one self-contained HTML document. It contains text, drawings and tables,
-// and a player of runs, which requires JavaScript. The output is deterministic: the same content results in the same
+// page_of: writes all results about a file as one self-contained HTML document. The document contains text, drawings,
+// tables, and a player of runs, which requires JavaScript. The output is deterministic: equal contents result in equal
 // bytes.
 //
-// The document permits its style and script by their hashes and forbids everything else (Content-Security-Policy). The
-// data of the script is in the element `data` (see page/data.hpp). The sections have the ids `verdicts`, `runs`,
-// `findings`, `charts`, `plant`, `equations`, `coverage`. A page with a fault analysis has the section `faults` instead
-// of `verdicts`, a page about values of constants has `tuning`, a page about a recording has `recording`; these pages
-// have neither `findings`, `equations` nor `coverage`. A property has the id `property-NAME`. The drawing of a chart is
-// in the figure `chart-N`, with the ids that element_ids() returns; the lines of a PLC program are in `program-N`, the
-// drawing of a component is in `component-N`.
+// The Content-Security-Policy of the document permits only its own style and script, which it identifies by their
+// hashes. The data of the script is in the element `data` (see page/data.hpp). The sections have the ids `verdicts`,
+// `runs`, `findings`, `charts`, `plant`, `equations`, `coverage`. A page with a fault analysis has the section `faults`
+// instead of `verdicts`, a page about values of constants has `tuning`, a page about a recording has `recording`; these
+// pages have neither `findings`, `equations` nor `coverage`. A property has the id `property-NAME`. The drawing of a
+// chart is in the figure `chart-N`, with the ids that element_ids() returns; the lines of a PLC program are in
+// `program-N`, the drawing of a component is in `component-N`.
 #pragma once
 
 #include <map>
@@ -42,7 +42,7 @@ struct ProgramContent {
 /// A chart on the page, with its results. For a PLC program, there are no equations and no analysis.
 struct ChartContent {
     Id<Chart> chart = {};
-    std::string prefix = {};   ///< prefix of the ids in its drawing
+    std::string prefix = {};   ///< prefix of the ids in the drawing of the chart
     std::string drawing = {};  ///< a generated `<svg>` element; empty for a program without a chart
     Equations equations = {};
     Analysis analysis = {};
@@ -52,7 +52,8 @@ struct ChartContent {
 /// A component of the plant on the page.
 struct ComponentContent {
     Id<Component> component = {};
-    /// A generated `<svg>` element with its locations in order as `rect.node`; empty if there are too many locations.
+    /// A generated `<svg>` element that contains the locations in order as elements `rect.node`; empty if there are too
+    /// many locations.
     std::string drawing = {};
 };
 
@@ -69,19 +70,21 @@ struct PageContent {
     Report report = {};
     std::vector<Trial> trials = {};                      ///< trials of remedies, if a limit ended the check
     std::optional<CertificateSummary> certificate = {};  ///< certificate of the verdicts of `report`, if requested
-    std::vector<ChartRun> tests = {};                    ///< runs of the test sequences of the only chart
+    /// If the page is about a single chart: runs of its test sequences.
+    std::vector<ChartRun> tests = {};
     /// If present, the page shows these results instead of the verdicts of `report`.
     std::optional<FaultAnalysis> faults = {};
     /// If present, the page shows these results instead of the verdicts of `report`.
     std::optional<Tuning> tuning = {};
-    std::map<std::size_t, Model> point_models = {};  ///< models of the points of `tuning` with runs
+    std::map<std::size_t, Model> point_models = {};  ///< models at those points of `tuning` that have runs
     /// If present, the page shows these results instead of the verdicts of `report`. `charts` contains the charts of
-    /// its verdicts, in order.
+    /// the verdicts on the recording, in order.
     std::optional<RecordingReport> recording = {};
-    std::string warnings = {};  ///< diagnostics as text
+    std::string warnings = {};  ///< warnings about the file, as text
 };
 
-/// Returns the chart to be drawn: for a PLC program, the chart with transitions and actions.
+/// Returns the chart to be drawn. For a PLC program, this is the chart with the transitions and actions of its
+/// Sequential Function Chart.
 inline const Chart& drawn_chart(const PageContent& content, const ChartContent& one) {
     return one.program ? one.program->drawn : content.model.charts[one.chart];
 }

@@ -20,7 +20,7 @@ namespace grafverif {
 
 namespace {
 
-constexpr std::size_t longest_table = 400;  // if a run has more rows, it is not shown as text
+constexpr std::size_t longest_table = 400;  // maximum number of rows of a run that is also shown as text
 
 void begin_section(Html& html, const char* id, std::string_view title) {
     html.open("section", {{"id", id}}).put("h2", title);
@@ -77,7 +77,8 @@ void add_result(const PageContent& content, const PropertyResult& answer, Html& 
     html.close("details");
 }
 
-/// Adds the trials of remedies. Their durations are omitted, so that the same input always gives the same page.
+/// Adds the trials of remedies. The durations of the trials are omitted, so that the same input always results in the
+/// same page.
 void add_remedies(const PageContent& content, Html& html) {
     const std::vector<std::string> lines = remedies_text(content.trials, false);
     if (lines.empty()) return;
@@ -111,7 +112,8 @@ void add_listing(const PageContent& content, const ChartContent& one, const std:
                              fmt::format("{} ({})", file,
                                          listing.begins.empty() ? "its statements in Structured Text"
                                                                 : counted(listing.lines.size(), "line", "lines")));
-    std::string text = "\n";  // parsers of HTML ignore a newline at the beginning of `pre`
+    // Starts with a line feed, because HTML parsers ignore a line feed at the beginning of `pre`.
+    std::string text = "\n";
     for (const std::string& line : listing.lines) text += line + '\n';
     html.put("pre", text, {{"id", id}, {"class", "source"}}).close("details");
 }
@@ -145,8 +147,8 @@ void add_open_queries(const Analysis& analysis, Html& html) {
     html.close("ul").close("details");
 }
 
-/// `yes`: names of the steps or transitions that occur in the runs of the page. `no`: names of the other steps or
-/// transitions.
+/// `yes`: names of the steps (transitions) that are active (cleared) in at least one run of the page. `no`: names of
+/// all other steps (transitions).
 struct Used {
     std::vector<std::string> yes = {}, no = {};
     void add(const std::string& name, bool used) { (used ? yes : no).push_back(name); }

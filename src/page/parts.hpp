@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Adds the sections of a page.
+// Adds the sections of a page to its HTML text.
 #pragma once
 
 #include "page/html.hpp"
@@ -13,13 +13,13 @@ struct SummaryItem {
     std::string words = {};
 };
 
-/// Returns the summary of a fault analysis. It is positive only if all verdicts are known.
+/// Returns the summary of a fault analysis. The summary is positive only if all verdicts are known.
 SummaryItem summary_of(const FaultAnalysis& analysis);
-/// Returns the summary of verdicts for values of constants. It is positive only if there is a property and each verdict
-/// is as expected at each point.
+/// Returns the summary of verdicts for values of constants. The summary is positive only if there is a property and
+/// each verdict is as expected at each point.
 SummaryItem summary_of(const Tuning& tuning);
-/// Returns the summary of the verdicts on a recording. It is positive only if the recording conforms to each chart and
-/// violates no property.
+/// Returns the summary of the verdicts on a recording. The summary is positive only if the recording conforms to each
+/// chart and violates no property.
 SummaryItem summary_of(const RecordingReport& report);
 
 /// The CSS class of a property and the symbol with the same meaning.
@@ -36,7 +36,7 @@ void add_formula(const PageContent& content, Id<ClosedLoop> loop, const std::str
 
 /// Adds file, version, date, the summary verdict, assumptions and warnings.
 void add_head(const PageContent& content, Html& html);
-/// Adds every property. Properties that hold as expected are folded.
+/// Adds the verdict on every property. Properties that hold as expected are folded.
 void add_verdicts(const PageContent& content, Html& html);
 /// Adds the minimal combinations of faults for each property, and the effects of each fault.
 void add_faults(const PageContent& content, Html& html);
@@ -44,18 +44,19 @@ void add_faults(const PageContent& content, Html& html);
 void add_tuning(const PageContent& content, Html& html);
 /// Adds for each chart the verdict on the recording with the first deviation, and the properties of the loops.
 void add_recording(const PageContent& content, Html& html);
-/// Adds the element of the player. If JavaScript is disabled, the page shows the runs as text.
+/// Adds the element of the player for runs. If JavaScript is disabled, the page shows the runs as text instead.
 void add_runs(const PageContent& content, Html& html);
-/// True if a controller is a chart, not a PLC program.
+/// True if at least one controller is a chart, not a PLC program.
 bool has_charts(const PageContent& content);
-/// True if a controller has steps.
+/// True if at least one controller has steps.
 bool has_steps(const PageContent& content);
 /// Returns the title of the section about the controllers: `Charts`, `Programs`, or both.
 const char* charts_title(const PageContent& content);
 void add_findings(const PageContent& content, Html& html);
 void add_charts(const PageContent& content, Html& html);
-/// Returns the instances of the environment with their components; if `timed`, also with the constants of the
-/// instances, such as `Start (push_button, GAP = 1s)`. Empty if there are none.
+/// Returns text that lists the instances of the environment with their components, such as `Start (push_button, GAP =
+/// 1s)`. The constants of the instances are included only if `timed` is true. The text is empty if there are no such
+/// instances.
 std::string environment_text(const Model& model, const ClosedLoop& loop, bool timed);
 void add_plant(const PageContent& content, Html& html);
 void add_equations(const PageContent& content, Html& html);

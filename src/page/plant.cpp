@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The plant on a page: instances with their bindings, and the automata of their components.
+// Adds the plant to a page: instances with their bindings, and the automata of their components.
 #include <fmt/format.h>
 
 #include <variant>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The verdicts on a recording on a page: for each chart, the first deviation and the run of a timing; the properties
-// that the recorded values violate.
+// Adds the verdicts on a recording to a page: for each chart, the first deviation and the run of an admissible timing;
+// for the closed loops, the properties that the recorded values violate.
 #include "report/charts/recording.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ namespace {
 
 using Kind = RecordingVerdict::Kind;
 
-/// Returns the name of a property on the page. It differs from the names of charts, which contain no `.`.
+/// Returns the name of a property on the page. Because of the `.`, the result differs from the names of charts.
 std::string name_of(const RecordedProperty& property) { return property.loop + "." + property.name; }
 
 PropertyLook look_of(const RecordingVerdict& verdict) {
@@ -29,7 +29,7 @@ PropertyLook look_of(const RecordingVerdict& verdict) {
     return {"unknown", "?"};
 }
 
-/// Returns text about the first deviation, with its line; empty if there is none.
+/// Returns text about the first deviation, with its line in the recording; empty if there is no deviation.
 std::string deviation_place_text(const RecordingReport& report, const RecordingVerdict& verdict) {
     if (!verdict.deviation) return {};
     return fmt::format("{}:{}: {}", report.log, verdict.deviation->line, deviation_text(*verdict.deviation));
@@ -72,7 +72,7 @@ void add_property(const PageContent& content, const RecordedProperty& property, 
     if (property.violated) {
         html.put("p", fmt::format("{}:{}: the values from {} on violate the property.", report.log, property.line,
                                   recording_time_text(property.time_us)));
-        // The run of a chart with a deviation ends before the recording.
+        // If a chart has a deviation, its run ends before the end of the recording.
         const auto shows = [&](const RecordingVerdict& verdict) {
             return can_be_played(verdict.run) &&
                    (!verdict.deviation || property.time_us <= verdict.deviation->time_us) &&

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// ProgramScans: the values that the statements of a PLC program compute in the scans of a run, for the page. The
-// interpreter of programs computes them with the inputs of the run.
+// ProgramScans: determines the values that the statements of a PLC program compute in the scans of a run, for the page.
+// The interpreter of programs (ProgramRun) executes the scans with the inputs of the run.
 //
-// A point is a value of a line (page/listing.hpp) in one instance of the unit that contains the line.
+// A point is an item of a line (page/listing.hpp), such as a variable, in one instance of the unit that contains the
+// line.
 #pragma once
 
 #include <cstddef>
@@ -22,14 +23,14 @@ namespace grafverif {
 
 class ProgramScans {
 public:
-    /// `interface` is the chart that represents the program. Both arguments must outlive the object.
+    /// `interface` is the chart that represents the program. `interface` and `listing` must outlive the object.
     ProgramScans(const Chart& interface, const ProgramListing& listing);
 
-    /// Returns `scans` of a controller of a run; see page/data.hpp. The result is null if the number of points and
-    /// scans exceeds `remaining`; otherwise, it is subtracted from `remaining`.
+    /// Returns the JSON member `scans` for a controller of a run (page/data.hpp). If the number of points and scans
+    /// exceeds `remaining`, returns null; otherwise, subtracts this number from `remaining`.
     nlohmann::ordered_json scans(const ChartRun& run, Id<ChartRun::Controller> controller, std::size_t& remaining);
 
-    /// Returns the lines, and the points of all previous results of `scans`; see page/data.hpp.
+    /// Returns the JSON member `program` (page/data.hpp): the lines, and the points of all previous results of `scans`.
     nlohmann::ordered_json json() const;
 
 private:
@@ -37,7 +38,7 @@ private:
         std::size_t item = 0;
         std::optional<std::size_t> instance = {};  ///< index in the layout; empty for a function
     };
-    /// The evaluation of a point in the last scan that evaluated it.
+    /// The last evaluation of a point.
     struct Value {
         std::size_t scan = 0, count = 0;
         std::int64_t value = 0;
@@ -55,11 +56,14 @@ private:
     const Program& program_;
     const ProgramListing& listing_;
     ProgramLayout layout_;
-    std::map<std::pair<std::uint32_t, std::size_t>, std::size_t> instances_ = {};  ///< by unit and frame
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> known_ = {};        ///< point by item and instance
+    /// Index of each instance by unit and frame.
+    std::map<std::pair<std::uint32_t, std::size_t>, std::size_t> instances_ = {};
+    /// Index of each point by item and instance.
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> known_ = {};
     std::vector<Point> points_ = {};
-    std::size_t scan_ = 0;                              ///< number of the current scan, from 1
-    std::vector<Value> values_ = {}, before_ = {};      ///< per point; `before_` at the end of the previous scan
+    std::size_t scan_ = 0;  ///< number of the current scan, from 1
+    /// Value of each point; `before_` is the value at the end of the previous scan.
+    std::vector<Value> values_ = {}, before_ = {};
     std::vector<std::size_t> now_ = {}, earlier_ = {};  ///< points evaluated in this and in the previous scan
 };
 

@@ -56,8 +56,8 @@ const char* name_of(Op op) {
 
 bool is_number(Op op) { return op == Op::Integer || op == Op::Duration || is_arithmetic(op); }
 
-/// Returns the index of a variable among the variables of the same kind (input, output, internal). The lists of a
-/// controller have the same order.
+/// Returns the index of a variable among the variables of the same kind (input, output, internal). The lists of signals
+/// of a controller have the same order.
 std::size_t place_of(const Chart& chart, Id<Chart::Variable> wanted) {
     std::size_t place = 0;
     for (const Id<Chart::Variable> id : chart.variables.ids()) {
@@ -111,8 +111,8 @@ public:
     }
 
 private:
-    /// Returns the steps that must be active to enable the transition. For a transition after a macro-step, they
-    /// include the exit step; for a source transition, they are the owner of its partial chart.
+    /// Returns the steps that must be active to enable the transition. For a transition after a macro-step, the result
+    /// includes the exit step. For a source transition, the result is the owner of its partial chart.
     std::vector<Id<Chart::Step>> enabling(const Chart::Transition& transition) const {
         std::vector<Id<Chart::Step>> steps = transition.from;
         const Id<Chart::Step> owner = chart_.partial_charts[transition.chart].owner;
@@ -135,7 +135,7 @@ private:
         if (chart_.variables[{index}].kind == Chart::VariableKind::Output) add_output({index}, node);
         return node;
     }
-    /// Adds the actions of a continuous output to its node; they determine the value of the output (CEP13 (13)).
+    /// Adds to the node of a continuous output the actions that determine its value (CEP13 (13)).
     void add_output(Id<Chart::Variable> output, Json& node) {
         Json actions = Json::array();
         for (const Chart::ContinuousAction& action : chart_.continuous)
@@ -181,8 +181,8 @@ Named named(const Model& model, const ClosedLoop& loop, const ClosedLoop::Symbol
             },
             [&](const ClosedLoop::InternalSymbol& internal) -> Named {
                 const Chart& chart = chart_of(internal.controller);
-                // The node is the signal of this name, because a run of a program does not contain all internal
-                // variables.
+                // For a program, the node is the signal with this name and not an index, because a run of a program
+                // does not contain all internal variables.
                 if (chart.program)
                     return {{{"op", "signal"}, {"boolean", chart.variables[internal.variable].type.boolean}},
                             before(internal.controller) + chart.variables[internal.variable].name};
@@ -248,7 +248,7 @@ const char* pattern_of(Pattern pattern) {
     unreachable();
 }
 
-/// Returns, for each operand of a property that has an observer, a heading that states the role of the operand.
+/// Returns, for each operand of a property with an observer, a heading that states the role of the operand.
 std::vector<std::string> headings_of(const Sentence& sentence) {
     const std::string bound = bound_text(sentence);
     const auto own = [&]() -> std::vector<std::string> {

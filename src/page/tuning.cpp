@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The results of tuning on a page: for each property, a map of the grid (one or two constants) or a table of boxes, and
-// the margins of the current values.
+// Adds the results of tuning to a page: for each property, a map of the grid (one or two constants) or a table of
+// boxes, and the margins of the current values.
 #include "report/charts/tuning.hpp"
 
 #include <fmt/format.h>
@@ -19,8 +19,8 @@ namespace {
 
 using Row = Tuning::Row;
 
-/// True if the drawings of the page show the elements of `model`, the model at a point: both models have the same
-/// controllers, with the same elements in their charts. An instance with the same name has the same component.
+/// True if the drawings of the page also represent `model`, the model at a point of the grid: both models have the same
+/// controllers, with the same elements in their charts, and instances with equal names have the same component.
 bool has_drawn_elements(const PageContent& content, const Model& model) {
     const ClosedLoop &drawn = content.model.loops[content.loop], &loop = model.loops[content.loop];
     if (loop.controllers.size() != content.charts.size()) return false;
@@ -68,7 +68,8 @@ std::string outcome_text(const Tuning& tuning, const Row& row) {
     return listed(words) + " of " + counted(tuning.points, "point", "points");
 }
 
-/// Adds the cell of a point. A violated point whose run is on the page is a button.
+/// Adds the table cell of a grid point. If the property is violated at the point and the page contains the run, the
+/// cell is a button.
 void add_cell(const Tuning& tuning, const Row& row, std::size_t point, bool current, const std::set<std::string>& runs,
               Html& html) {
     const PointVerdict& verdict = row.verdicts[point];
@@ -92,8 +93,8 @@ bool has_map(const Tuning& tuning) {
            (constants.size() == 1 || constants.front().size() <= tallest_map);
 }
 
-/// Adds the map of a property. The values of the last constant are the columns; the values of the first of two
-/// constants are the rows.
+/// Adds the map of a property. The values of the last constant are the columns; if there are two constants, the values
+/// of the first constant are the rows.
 void add_map(const Tuning& tuning, const Row& row, const std::set<std::string>& runs, Html& html) {
     const TunedConstant& across = tuning.constants.back();
     const bool two = tuning.constants.size() == 2;

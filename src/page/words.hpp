@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Text of numbers and lists in sentences of a page.
+// Returns numbers and lists as text for sentences of a page.
 #pragma once
 
 #include <cstddef>

@@ -17,7 +17,7 @@ namespace grafverif {
 
 namespace {
 
-/// Returns the value of a term that reads no variable.
+/// Returns the value of a term that reads no variable, or nothing for any other term.
 std::optional<std::int64_t> constant_value(const Slots& slots, Id<Expr> root) {
     const Exprs& exprs = slots.network.exprs;
     for (const Id<Expr> leaf : leaves(exprs, root))
@@ -25,7 +25,7 @@ std::optional<std::int64_t> constant_value(const Slots& slots, Id<Expr> root) {
     return evaluate(exprs, root, [&](const Expr& leaf) { return slots.constant(leaf); });
 }
 
-/// Returns the variable that the term consists of, or an invalid id for any other term.
+/// Returns the variable if the term is a variable, otherwise an invalid id.
 Id<Network::Variable> variable_of(const Slots& slots, Id<Expr> root) {
     const Expr& node = slots.network.exprs[root];
     return node.op == Op::Parameter ? slots.variable(node) : Id<Network::Variable>{};
@@ -36,7 +36,7 @@ struct Step {
     Id<Network::Process> process = {};
     std::int64_t length = 0;
 };
-using Steps = std::unordered_map<Id<Network::Variable>, Step>;  // the largest such change of each variable
+using Steps = std::unordered_map<Id<Network::Variable>, Step>;  // the change of each variable with the largest constant
 
 void collect_steps(const Network& network, Id<Network::Process> id, Steps& steps) {
     const Slots slots(network, id);
@@ -62,13 +62,13 @@ struct Bounds {
     std::optional<std::int64_t> low = {}, high = {};
 };
 
-/// True if the absolute value exceeds about 2^41; the range of a variable does not contain such a value. The sum of two
+/// True if the absolute value exceeds about 2^41. No range of a variable contains such a value, and the sum of two
 /// smaller values fits into 64 bits.
 bool is_far(std::int64_t value) { return std::abs(value / 2) > std::int64_t{1} << 40U; }
 
-/// A variable, or a linear term with one variable that is bound to an input: `H`, `H - 2`, `10 - H`.
+/// A variable, or a linear term with one variable that is bound to an input, such as `H`, `H - 2` or `10 - H`.
 struct Shifted {
-    Id<Network::Variable> variable = {};  ///< invalid if the term has another form
+    Id<Network::Variable> variable = {};  ///< invalid if the term has a different form
     std::int64_t offset = 0;
     bool mirrored = false;
 };
@@ -93,7 +93,7 @@ void note_bound(const Slots& slots, Id<Expr> comparison, std::vector<Bounds>& fo
     const Op op = slots.network.exprs[comparison].op;
     if (op < Op::Less || op > Op::GreaterEqual) return;
     const auto operands = slots.network.exprs.operands(comparison);
-    const auto left = constant_value(slots, operands[0]);  // the form `3 <= X`
+    const auto left = constant_value(slots, operands[0]);  // the constant of a comparison such as `3 <= X`
     const auto value = left ? left : constant_value(slots, operands[1]);
     const Shifted of = shifted(slots, operands[left ? 1 : 0]);
     if (!of.variable.valid() || !value || is_far(*value)) return;
@@ -106,8 +106,8 @@ void note_bound(const Slots& slots, Id<Expr> comparison, std::vector<Bounds>& fo
     else here->low = std::max(here->low.value_or(INT64_MIN), at + strict);
 }
 
-/// Returns bounds from a conjunction, including nested conjunctions, which occur if a guard reads an input that is
-/// bound to a conjunction.
+/// Returns the bounds of variables that the conjunction `guard` implies. Nested conjunctions are included; they occur
+/// if a guard reads an input that is bound to a conjunction.
 std::vector<Bounds> bounds(const Slots& slots, Id<Expr> guard) {
     const Exprs& exprs = slots.network.exprs;
     std::vector<Bounds> found;

@@ -40,12 +40,12 @@ private:
     std::vector<std::uint32_t> parent_;
 };
 
-/// Unifies the types of parameters that are bound to several variables: widens integer variables to the convex hull of
-/// the ranges of all variables that share a parameter, directly or transitively, and sets the types of Read and Written
-/// parameters.
+/// Unifies the types of variables that are bound to the same parameter in several processes. Integer variables are
+/// widened to the convex hull of the ranges of all variables that share a parameter, directly or transitively. Sets the
+/// types of Read and Written parameters accordingly.
 void unify_ranges(Network& network) {
     Classes classes(network.variables.size());
-    // First variable that is bound to each parameter of each template.
+    // For each parameter of each template: the first variable that is bound to the parameter.
     std::vector<std::vector<Id<Variable>>> first(network.templates.size());
     for (const Id<Network::Template> id : network.templates.ids())
         first[id.index].resize(network.templates[id].parameters.size());
@@ -74,10 +74,10 @@ void unify_ranges(Network& network) {
     }
 }
 
-/// Returns the terms that replace the parameters of a component, followed by its variables, in a template. In general a
-/// term is a parameter of the template. An input that is bound to a term is replaced by this term, not by a parameter.
-/// Therefore its value is exact in every state, including those between the moves of one instant. If an automaton
-/// computed the term, the value would be delayed.
+/// Returns the terms that replace the parameters and variables of a component in a template. In general, such a term is
+/// a parameter of the template. An input that is bound to a term is replaced by this term, so that its value is exact
+/// in every state, including states between the moves of one instant. If an automaton computed the term, the value
+/// would be delayed.
 std::vector<Id<Expr>> read_as(const ClosedLoop& loop, const Component& component,
                               const std::vector<ClosedLoop::Argument>& arguments, Exprs& to) {
     TermCopier term(loop.exprs, to, [&](const Expr& leaf) {
@@ -172,7 +172,7 @@ Network::Template template_of(const ClosedLoop& loop, const Component& component
     return automaton;
 }
 
-/// Creates the process of an instance. The process has one argument per parameter that is not replaced by a term,
+/// Creates the process of an instance. Its arguments are those of all parameters that are not replaced by a term,
 /// followed by the instance's variables.
 Network::Process process_of(const ClosedLoop::Instance& instance, const Component& component, std::int64_t unit,
                             const std::vector<Id<Network::Variable>>& own) {
@@ -220,7 +220,7 @@ std::optional<Network> plant(const Model& model, const ClosedLoop& loop, Diagnos
     network.constants = loop.constants;
     network.variables = std::move(variables->variables);
     std::vector<Id<Network::Template>> templates(model.components.size());
-    UniqueNames names;  // names of templates
+    UniqueNames names;  // used names of templates
     for (const Component& component : model.components) names.fresh(component.name);
     for (const Id<ClosedLoop::Instance> id : loop.instances.ids()) {
         const ClosedLoop::Instance& instance = loop.instances[id];

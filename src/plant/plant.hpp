@@ -3,9 +3,9 @@
 // becomes a template, and each instance becomes a process. Processes communicate only through shared variables.
 //
 // Mapping:
-//   shared variable        Variable at the same index, including the inputs and outputs of controllers; its value at
-//                          power-on is set by its writer (the default of the output, then the `with` values of the
-//                          initial location)
+//   shared variable        Variable at the same index, including the inputs and outputs of controllers; the writer
+//                          determines the value at power-on: the `with` value of its initial location, otherwise the
+//                          default of the output
 //   variable of a component Variable `Instance_name` after the shared variables, bound to a Written parameter
 //   parameter              Parameter at the same index: input -> Read, output -> Written, constant -> Constant
 //   duration               integer number of time units; the time unit is that of the loop, or the greatest common

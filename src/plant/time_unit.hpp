@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The time unit of a closed loop: the duration of one tick of all clocks of its network.
+// Determines the time unit of a closed loop, which is the duration of one tick of all clocks of its network.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ std::optional<std::int64_t> time_unit(const Model& model, const ClosedLoop& loop
 
 /// Returns the duration whose removal, at all its occurrences, would make the time unit coarsest, or nullopt if no
 /// removal of a single duration makes the unit coarser. If the loop declares a time unit that is finer than its
-/// durations require, the result contains the declared unit and the duration 0; if the loop declares any other time
+/// durations require, the result contains the declared unit and the duration 0. If the loop declares any other time
 /// unit, the result is nullopt.
 std::optional<StateProfile::Finest> finest_duration(const Model& model, const ClosedLoop& loop);
 

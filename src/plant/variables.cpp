@@ -31,7 +31,8 @@ public:
                 overloaded{
                     [&](Id<ClosedLoop::Shared> shared) { return plant_.variables[{shared.index}].initial; },
                     [](std::int64_t constant) { return constant; },
-                    [](Id<Expr>) -> std::int64_t { unreachable(); },  // declarations do not read inputs
+                    // Declarations do not read inputs, so that this case is impossible.
+                    [](Id<Expr>) -> std::int64_t { unreachable(); },
                 },
                 instance_.arguments[index]);
         });
@@ -57,7 +58,7 @@ public:
             if (const auto start = value(*initial, where)) variable.initial = *start;
     }
 
-    /// Assigns the values of the initial location (`with`).
+    /// Assigns the values that the initial location declares with the keyword `with`.
     void enter_initial_location() const {
         for (const Component::Assignment& assignment : component_.locations[instance_.initial].initially) {
             const Expr& target = component_.exprs[assignment.target];
@@ -133,7 +134,7 @@ void power_on(const Component& component, const ClosedLoop::Instance& instance, 
         const Id<Variable> variable{shared->index};
         const Type bound = plant.variables[variable].type;
         here.declare(plant.variables[variable], parameter.low, parameter.high, parameter.initial, parameter.origin);
-        // Restores the type from the loop: a controller may declare a wider range than the component.
+        // Restores the type from the loop, because a controller may declare a wider range than the component.
         plant.variables[variable].type = bound;
         written.push_back(variable);
     }

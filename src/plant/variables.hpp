@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The variables of a plant: the shared variables of the loop and the internal variables of instances.
+// Creates the variables of a plant: the shared variables of the loop and the internal variables of instances.
 #pragma once
 
 #include <optional>

@@ -58,7 +58,7 @@ std::string subjects_text(const std::vector<std::string>& subjects) {
     return subjects.size() > most ? fmt::format("{} and {} more", text, subjects.size() - most) : text;
 }
 
-/// Prints the undecided checks. Checks with the same code and the same extent of the search share one line.
+/// Prints the undecided checks. Undecided checks with the same code and the same extent of the search share one line.
 void print_open(const Analysis& analysis, std::ostream& out) {
     if (analysis.open.empty()) return;
     out << fmt::format("inconclusive: {} of {} checks; {}\n", analysis.open.size(), analysis.questions,

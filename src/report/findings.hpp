@@ -2,10 +2,10 @@
 // Writes the results of `analyse` as text and as JSON; for SARIF see report/sarif.hpp.
 //
 // The text contains each finding as a diagnostic at its position, followed by a run as evidence. Accepted findings have
-// one line each. The text ends with the undecided checks and the number of explored instants.
+// one line each. The text ends with the undecided checks and the number of explored instants of the chart.
 //
-// JSON: missing values are null; a trace has the format of report/json.hpp. Findings about absorbing regions also have
-// the member `lost`.
+// JSON: missing values are null; a trace has the format of report/json.hpp. Findings about absorbing regions
+// (situations that no run leaves) also have the member `lost`.
 //
 //   {"chart", "mode", "complete", "obstacle", "instants", "seconds", "questions", "open":[OPEN], "notes",
 //   "findings":[FINDING]}

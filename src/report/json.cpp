@@ -88,7 +88,8 @@ Json property(const Report& report, const PropertyResult& answer, const Sources&
     return made;
 }
 
-/// Returns an array with one object for each trial, in which `check` tried other options.
+/// Returns an array with one object for each trial of a remedy. In a trial, `check` repeats the check with other
+/// options.
 Json trials_json(const std::vector<Trial>& trials) {
     Json list = Json::array();
     for (const Trial& trial : trials) {

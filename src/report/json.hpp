@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Writes a report as JSON and as JSON lines. Times are in milliseconds; missing values are null.
 //
-// In JSON, `errors` contains the model errors; `profile` (report/profile.hpp), `why` (report/why.hpp) and `certificate`
-// exist only if the report contains these data. In a trace, `inputs` and `outputs` of every step contain the values of
-// all inputs and outputs by name. `run` is the complete run (docs/reference/trace-format.md).
+// In JSON, `errors` contains the model errors. The members `profile` (report/profile.hpp), `why` (report/why.hpp) and
+// `certificate` exist only if the report contains these data. In a trace, `inputs` and `outputs` of every step contain
+// the values of all inputs and outputs by name. `run` is the complete run (docs/reference/trace-format.md).
 //
 //   {"model", "properties":[PROPERTY], "errors":[{"code", "message", "trace_text", "trace"}], "remedies":[REMEDY],
 //   "profile", "why", "certificate":{"folder", "certified":["P"], "omitted":[{"property", "reason"}]}}

@@ -38,7 +38,7 @@ Json step(const ChartRun& run, const ChartRun::Row& row) {
             {"moment", row.moment}};
 }
 
-/// Returns the index that an id has in its table; null if the id is invalid.
+/// Returns an id as a JSON number, which is the index in its table; null if the id is invalid.
 template <class T>
 Json index_of(Id<T> id) {
     return id.valid() ? Json(id.index) : Json(nullptr);
@@ -101,8 +101,8 @@ Json act_json(const ChartRun::Act& act) {
     return object;
 }
 
-/// Returns the values that differ from those in the previous state, each with the index of its signal; all values if
-/// there is no previous state.
+/// Returns the values that have changed since the state `before`, each with the index of its signal. If `before` is
+/// null, returns all values.
 Json values_json(const ChartRun::State* before, const ChartRun::State& now) {
     Json list = Json::array();
     for (std::size_t i = 0; i < now.values.size(); ++i)

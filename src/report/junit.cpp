@@ -27,7 +27,8 @@ std::string run_text(const ChartRun& run, std::string_view end) {
     return std::move(text).str();
 }
 
-/// Returns the first lines of `text`. Build servers show only these lines until the user expands the entry.
+/// Returns the first lines of `text`, for the message of a failure. Build servers show only the message until the user
+/// expands the failure.
 std::string first_lines(std::string_view text) {
     constexpr std::size_t shown = 6;
     std::size_t end = 0;

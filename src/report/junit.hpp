@@ -3,8 +3,8 @@
 //
 // An unexpected verdict is a failure. The message of the failure consists of the verdict, the position of the property
 // and the first lines of the trace; the text of the failure is the complete trace. An undecided property is an error,
-// or is skipped if the model does not declare it. If an error prevents a file from being read or checked, a separate
-// case `input` contains this error.
+// or a skipped case if the model does not declare the property. If an error prevents a file from being read or checked,
+// a separate case `input` contains this error.
 #pragma once
 
 #include <cstdint>
@@ -26,14 +26,14 @@ std::string junit_suite(std::string_view file, const std::vector<Diagnostic>& di
 /// Returns the suite of a file without results; `message` is the reason.
 std::string junit_suite(std::string_view file, std::string_view type, std::string_view message);
 
-/// An expectation in one line of a file.
+/// An expectation in one line of a simulation script, with its result.
 struct JunitCase {
     std::string name = {};
     std::uint32_t line = 0;
     std::string failure = {};  ///< description of the failure; empty if the expectation was met
 };
-/// Returns the suite of a script. `ended` is the reason why the script stopped before its end; empty if the script was
-/// completed.
+/// Returns the suite of a simulation script. `ended` is the reason why the script stopped before its end; empty if the
+/// script was completed.
 std::string junit_suite(std::string_view file, const std::vector<JunitCase>& cases, std::string_view ended);
 
 /// Returns a document that contains suites.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Builds the parts of a Report from results of engines. The writers in this folder convert it to text, JSON and JUnit
-// XML, and a single trace to a waveform and a drawing.
+// Builds the parts of a Report from results of engines. The writers in this folder convert a Report to text, JSON and
+// JUnit XML, and a single trace to a waveform and a timing diagram.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace grafverif {
 
 /// Returns the assumptions for the controllers and the granularity of `network`.
 CheckSettings settings_of(const Network& network, std::string engine);
-/// Returns the assumptions of an untimed check. The granularity in the result is empty; the caller can set it.
+/// Returns the assumptions of an untimed check. The granularity (grain) in the result is empty; the caller can set it.
 CheckSettings settings_of(const TransitionSystem& system, std::string engine, std::string untimed);
 
 /// Returns `verdict` with the text of its property. The run of the verdict is converted to a trace and removed from the

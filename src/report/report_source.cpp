@@ -8,7 +8,7 @@ namespace grafverif {
 
 namespace {
 
-/// True if the span is in a file of the user; false if it is in the built-in library.
+/// True if the span is in a file of the user, and not in the built-in library.
 bool is_of_files(const ReportSource& written, Span where) {
     return written.sources.contains(where.source) && !written.sources[where.source].name.starts_with('<');
 }
@@ -72,8 +72,8 @@ const Span* origin_of_instance(const ReportSource& written, std::string_view nam
     return found == instances.end() ? nullptr : &found->origin;
 }
 
-/// Returns the position of the instance whose component contains the constraint with this property name, such as
-/// `Door_constraint_1`; null if the name is not that of a constraint.
+/// Returns the position of the instance whose component contains the constraint with the property name `property`, such
+/// as `Door_constraint_1`; null if the property is not a constraint.
 const Span* origin_of_constraint(const ReportSource& written, std::string_view property) {
     const std::size_t name = property.rfind("_constraint_");
     return name == std::string_view::npos ? nullptr : origin_of_instance(written, property.substr(0, name));

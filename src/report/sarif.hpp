@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Writes SARIF 2.1.0 (OASIS). The log has one run of one tool, which contains the results of an invocation for all its
-// files.
+// Writes results in the format SARIF 2.1.0 (OASIS). The log has one run of one tool, which contains the results of an
+// invocation of grafverif for all its files.
 //
 // A rule is a type of finding, a type of unexpected verdict, or the code of an error. A result is an occurrence of a
-// rule with its position. The run of an unexpected verdict is a code flow. A code flow has one location per row of the
-// trace: the element of the chart or loop that causes the row. An undecided property is a result of kind `open` and a
-// notification. Expected verdicts are omitted. File names are written as on the command line.
+// rule with its position. The counterexample of an unexpected verdict is a code flow. A code flow has one location per
+// row of the trace: the element of the chart or loop that causes the row. An undecided property is a result of kind
+// `open` and a notification. Expected verdicts are omitted. File names are written as on the command line.
 #pragma once
 
 #include <iosfwd>
@@ -29,7 +29,7 @@ struct SarifLog {
 
 void add_findings(const Analysis& analysis, const Sources& sources, SarifLog& log);
 void add_report(const Report& report, const ReportSource& written, SarifLog& log);
-/// Adds the errors in the input. If `warnings` is true, also adds the warnings.
+/// Adds the errors in the input to the log. If `warnings` is true, also adds the warnings.
 void add_diagnostics(const std::vector<Diagnostic>& diagnostics, const Sources& sources, bool warnings, SarifLog& log);
 
 /// Prints the log. `version` is the version of the program.

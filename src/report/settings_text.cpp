@@ -25,8 +25,8 @@ std::string some_of(const std::vector<std::string>& names) {
     return names.size() <= shown ? words : fmt::format("{} and {} more", words, names.size() - shown);
 }
 
-/// Returns text about the subsystems or fragments that were searched for a verdict, the omitted ones, and the reason
-/// why the verdict does not depend on the omitted ones.
+/// Returns text about the subsystems or fragments that were searched for a verdict, the omitted subsystems or
+/// fragments, and the reason why the verdict does not depend on them.
 std::string scope_text(const SearchScope& scope) {
     if (scope.searched.empty() && scope.left_out.empty()) return {};
     const bool one = scope.searched.size() == 1;
@@ -78,8 +78,8 @@ Parts parts_of(const PropertyResult& answer) {
             abstraction_text(answer)};
 }
 
-/// Returns, for each of the `Parts`, the text that all results have in common; empty if the texts differ. For the
-/// number of states, undecided properties for which no search was started are ignored.
+/// Returns, for each of the `Parts`, the text that is equal for all results; empty if the texts differ. For the number
+/// of states, undecided properties without a started search are ignored.
 std::array<std::optional<std::string>, 4> agreed(const std::vector<const PropertyResult*>& answers) {
     std::array<std::set<std::string>, 4> values;
     for (const PropertyResult* answer : answers) {
@@ -103,7 +103,7 @@ std::string settings_text(const Report& report, const PropertyResult& answer) {
 
 SharedSettings shared_settings(const Report& report, const std::vector<const PropertyResult*>& answers) {
     SharedSettings settings{common_text(report.settings), {}};
-    std::map<std::string, std::size_t> known;  // maps the text of a group to its index
+    std::map<std::string, std::size_t> known;  // index of each group by its text
     const auto same = agreed(answers);
     for (const auto& part : same) append(settings.shared, part.value_or(""), "; ");
     for (const PropertyResult* answer : answers) {

@@ -43,7 +43,8 @@ std::string shortened(std::string text, std::size_t length) {
     return text;
 }
 
-/// The columns of the diagram: for each displayed row of the run in the selected range, the state after this row.
+/// The columns of the diagram: for each displayed row of the run in the selected range of events, the state after this
+/// row.
 using Columns = std::vector<const ChartRun::State*>;
 
 Group group(std::string title, const Columns& columns, const ChartRun& run, ChartRun::Role role) {
@@ -263,7 +264,7 @@ private:
     std::vector<std::size_t> events_ = {};          ///< for each column, the number of its event
     std::size_t left_ = 0, width_ = 0, label_ = 4;  ///< label_ is the number of characters of the longest label
     std::size_t first_ = 0, end_ = 0;               ///< the current strip contains the columns [first_, end_)
-    std::string ground_ = {};                       ///< SVG elements that are drawn first
+    std::string ground_ = {};                       ///< SVG elements of the background, which are drawn first
     std::string body_ = {};
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Writes a trace as a timing diagram with one column per row of the printed trace, so that events within one instant
-// are visible. The columns are numbered from 0. A time label is printed where time advances, and the event is printed
-// above each column. Long traces are divided into strips, each with the names of its rows. There is one row per input,
-// output, internal variable, variable of the plant, and step of the charts. Rows that would be constantly 0 are listed
-// at the foot instead. The columns of events that repeat forever have a shaded background.
+// are visible. The columns are numbered from 0. A column has a time label if time has advanced since the previous
+// column. The event is printed above each column. Long traces are divided into strips, each with the names of its rows.
+// There is one row per input, output, internal variable, variable of the plant, and step of the charts. Rows that would
+// be constantly 0 are listed at the foot instead. Columns whose events repeat forever have a shaded background.
 #pragma once
 
 #include <cstddef>

@@ -13,7 +13,7 @@ namespace {
 
 void append(std::string& list, const std::string& word) { list += (list.empty() ? "" : ", ") + word; }
 
-/// Returns the signals with this role whose values differ between the two states.
+/// Returns the signals with the role `role` whose values differ between the two states.
 std::vector<Id<ChartRun::Signal>> changed(const ChartRun& run, ChartRun::Role role, const ChartRun::State& before,
                                           const ChartRun::State& now) {
     std::vector<Id<ChartRun::Signal>> found = signals_of(run, role);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The texts in the cells of the table of a run. All outputs that show such a table use these functions.
+// Returns the texts in the cells of the table of a run. All reports that show the table of a run use these functions.
 #pragma once
 
 #include <array>
@@ -32,8 +32,8 @@ std::string situation_text(const ChartRun& run, const ChartRun::State& state);
 /// Returns the signals of the role that are not 0, such as `X`, `N = 3`; `none` if there are no such signals.
 std::string standing_text(const ChartRun& run, ChartRun::Role role, const ChartRun::State& state);
 
-/// Returns the lines of `text` for `width` columns of a terminal, broken at blanks, or within a word that is too long.
-/// Each line has at least one character. `later_width` is the width of all lines except the first, if it differs.
+/// Returns `text` as lines for `width` columns of a terminal, broken at blanks, or within a word that is longer than a
+/// line. Each line has at least one character. `later_width` is the width of all lines except the first, if it differs.
 std::vector<std::string> wrapped(std::string_view text, std::size_t width, std::optional<std::size_t> later_width = {});
 
 }  // namespace grafverif

@@ -19,7 +19,7 @@ namespace grafverif {
 
 namespace {
 
-constexpr std::size_t gutter = 2;      // characters before the table: bar of a loop, star of a cause
+constexpr std::size_t gutter = 2;      // number of characters before each row: bar of a loop, star of a cause
 constexpr std::size_t column_gap = 2;  // number of blanks between columns
 constexpr std::size_t least_width = 8;
 
@@ -57,8 +57,8 @@ TableWidths fitting(const ChartRun& run) {
     for (std::size_t sum = std::accumulate(widths.begin(), widths.end(), std::size_t{0}); sum > available;) {
         const auto widest = std::ranges::max_element(widths);
         const auto rest = sum - *widest;
-        // Reduces the widest column to the width of the second widest column; a smaller reduction is made if the table
-        // then fits.
+        // Reduces the widest column to the width of the second widest column, or less if the table already fits after a
+        // smaller reduction.
         std::size_t next = least_width;
         for (auto width = widths.begin(); width != widths.end(); ++width)
             if (width != widest) next = std::max(next, *width);
@@ -93,7 +93,7 @@ struct Line {
     std::string bar() const { return {in_loop ? '|' : ' ', marked ? '*' : ' '}; }
 };
 
-/// True if `later` is the same line as `line`, with a time that is later by `delay_ms`.
+/// True if `later` has the same entries as `line`, except that its time is later by `delay_ms`.
 bool repeats(const Line& line, const Line& later, std::int64_t delay_ms) {
     return later.time_ms - line.time_ms == delay_ms && line.cells[0].empty() == later.cells[0].empty() &&
            std::equal(line.cells.begin() + 1, line.cells.end(), later.cells.begin() + 1) &&

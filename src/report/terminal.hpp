@@ -3,9 +3,10 @@
 //
 // A trace is a table with these columns: time; event; the inputs that changed (`V_IN`, `!V_IN`, `LEVEL = 3`; at
 // power-on all nonzero inputs); the cleared transitions, with `;` between evolutions; situation; outputs. Situation and
-// outputs are printed if they changed, and in the first and the last row. Time is printed when it advances. Rows that
-// repeat forever are marked with a bar, and rows in which a cause begins with a star. The causes and the shortest
-// change are printed below the table.
+// outputs are printed if they changed, and in the first and the last row. The time is printed only in rows in which it
+// differs from the previous row. Rows that repeat forever are marked with a bar. Rows in which a cause of the violation
+// begins are marked with a star. Below the table, the text lists the causes and the smallest change of the run that
+// avoids the violation.
 #pragma once
 
 #include <array>
@@ -29,15 +30,15 @@ struct TextOptions {
     std::size_t columns = 0;  ///< columns of the terminal, which limit the width of the final table; 0 means unlimited
 };
 
-/// Returns text about the end of a finite counterexample, such as `from here, no edge can be taken`, or an empty string
-/// if the last state violates the property.
+/// Returns text about the end of a finite counterexample, such as `from here, no edge can be taken`. The text is empty
+/// if the last state of the counterexample violates the property.
 std::string_view end_of(const Verdict& verdict);
 
 /// Prints the assumptions of the verdicts, violated and unknown properties with details, a table of all verdicts, and
 /// the number of verdicts. The reached steps of `reachable all steps` share one row.
 void print_report(const Report& report, const TextOptions& options, std::ostream& out);
 
-/// Returns the word of a result: green for Holds, red for Violated, otherwise yellow.
+/// Returns `word` in the colour of the result: green for Holds, red for Violated, otherwise yellow.
 std::string coloured(std::string_view word, Outcome outcome, Colour colour);
 
 /// The maximum width of a line of text, in columns.

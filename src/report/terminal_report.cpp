@@ -34,7 +34,7 @@ const char* undeclared(const Verdict& verdict) { return verdict.about.valid() ? 
 
 using Answers = std::vector<const PropertyResult*>;
 
-/// The text of a reason or note, and the verdicts that have this text.
+/// The text of a reason or note, and the results of the properties that have this text.
 struct Shared {
     std::string text = {};
     Answers answers = {};
@@ -47,7 +47,7 @@ public:
         all_[place->second].answers.push_back(&answer);
     }
     const std::vector<Shared>& all() const { return all_; }
-    /// Returns the entry of a text. The text must have been added.
+    /// Returns the entry of the text `text`. Requires that the text has been added.
     const Shared& operator[](const std::string& text) const { return all_[index_.at(text)]; }
 
 private:
@@ -123,8 +123,8 @@ private:
         return verdict.outcome == Outcome::Unknown && !verdict.reason.empty() && !answer.trace && verdict.notes.empty();
     }
 
-    /// True if the note is printed before the verdicts: it belongs to a property that holds as expected, or to several
-    /// properties. Any other note is printed after its verdict.
+    /// True if the note is printed before the verdicts. This is the case if the note belongs to a property that holds
+    /// as expected, or to several properties. Any other note is printed after the verdict of its property.
     bool is_reported_above(const Shared& note) const {
         return note.answers.size() > 1 || in_table_only(*note.answers.front());
     }
@@ -142,8 +142,8 @@ private:
         }
     }
 
-    /// Prints the properties that do not hold, in the order of the model. Undecided properties with the same reason are
-    /// printed together.
+    /// Prints the violated and undecided properties, in the order of the model. Undecided properties with the same
+    /// reason are printed together.
     void print_in_full() {
         bool alone = false;
         for (const PropertyResult* answer : shown_) {
@@ -183,7 +183,8 @@ private:
         return std::move(out).str();
     }
 
-    /// Prints a trace. If its last events do not repeat, the text `end` is printed after the trace.
+    /// Prints a trace. If the last events of the trace do not repeat forever, the text `end` is printed after the
+    /// trace.
     static void print_reported(std::string_view what, const ChartRun& run, std::string_view end, std::ostream& out) {
         out << what << ":\n";
         print_trace(run, out);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// TestReport: the results of testing a controller, step by step. They are written as text, JSON or JUnit XML.
+// TestReport: the results of testing a controller, step by step, and functions that write them as text, JSON or JUnit
+// XML.
 //
-// Invariants (see verify): there is one verdict per row of the test. A row is the activation of a sequence or one of
-// its steps. The verdict of a row is Failed if and only if `failures` contains a failure of this row. The failures are
-// in the order of the rows.
+// Invariants (see verify): there is one verdict per row of the test. A row is the activation of a sequence (its
+// power-on) or one of its steps. The verdict of a row is Failed if and only if `failures` contains a failure of this
+// row. The failures are in the order of the rows.
 #pragma once
 
 #include <cstdint>
@@ -30,8 +31,8 @@ struct TestReport {
         std::size_t row = 0;       ///< index of the row in the sequence, including its activation
         std::uint32_t scan = 1;    ///< number of the first failed scan of the row, starting at 1
         Cause cause = Cause::Different;
-        std::vector<std::int64_t> answered = {};  ///< value of each output; only for Different
-        std::string message = {};                 ///< details of the cause; empty for Different
+        std::vector<std::int64_t> answered = {};  ///< actual value of each output; only for the cause Different
+        std::string message = {};                 ///< details of the cause; empty for the cause Different
         bool operator==(const Failure&) const = default;
     };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Phrases of a test report, and its rows in order.
+// Returns phrases of test reports, and visits the rows of a test report in order.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace grafverif {
 
-/// Returns `stability-search` or `every-cycle`.
+/// Returns the name of the execution mode: `stability-search` or `every-cycle`.
 std::string_view mode_word(ExecutionMode mode);
 
 /// Returns a cause such as `differs in V1, W1` or `no response within 5s`.

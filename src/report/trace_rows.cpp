@@ -99,7 +99,8 @@ void TraceRowBuilder::add_event(std::size_t moment) {
         delay_ms_ += event.after.time_ms - run_.moments[moment - 1].after.time_ms;
         return;
     }
-    // A delay is printed as one row, even if scans of a task cycle that change nothing occur during the delay.
+    // A delay is printed as one row, even if scans of a task cycle occur during the delay, provided that these scans
+    // change nothing.
     const bool scans = std::ranges::any_of(
         event.acts, [&](const Act& act) { return run_.controllers[act.controller].cycle.has_value(); });
     if (run_.searches && !scans) close_delay();
@@ -167,8 +168,8 @@ void TraceRowBuilder::add_act_rows(std::size_t moment, const Act& act) {
     if (act.writes == Act::Writes::Yes || !run_.searches) close(index, moment);
 }
 
-/// Adds a row for the phase of a PLC cycle that consists of these actions. If each evolution has a row (`searches` is
-/// false), a phase that is not an evolution and changes nothing has no row.
+/// Adds a row for the collected actions of a PLC cycle. If each evolution has a row (`searches` is false), actions that
+/// include no evolution and change nothing have no row.
 void TraceRowBuilder::report_phase(std::size_t moment, const Act& act) {
     const OpenRow open = std::exchange(open_[act.controller.index], {});
     const bool internal = open.fired.empty() && !open.changed;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Trace rows: groups the events of a ChartRun into the rows of a printed trace.
 //
-//   event of an instance     separate row: the location reached, changed plant variables
+//   event of an instance     separate row with the location that the instance reaches, and changed plant variables
 //   timer expiry             separate row; other timer events are internal
 //   actions of a controller  one row per stability search that clears a transition or changes an output; other actions
 //                            are internal. In a run that counts steps: one row per evolution
@@ -25,16 +25,16 @@ namespace grafverif {
 /// `Everything` also includes the internal events of the translation, each in a row that is marked as internal.
 enum class Detail { Chart, Everything };
 
-/// Builds the rows of a run while it is executed.
+/// Builds the rows of a run while the run is being executed.
 class TraceRowBuilder {
 public:
     /// Requires a run without rows. `run` must outlive the object.
     TraceRowBuilder(ChartRun& run, Detail detail)
         : run_(run), detail_(detail), open_(run.controllers.size()), sampled_(run.controllers.size()) {}
 
-    /// Adds rows for new events.
+    /// Adds rows for the events that were added to the run since the last call.
     void catch_up();
-    /// Adds rows for new events, and completes open rows.
+    /// Adds rows for the events that were added to the run since the last call, and completes open rows.
     void flush();
     /// Completes the rows at the end of the run. If the loop of the run has no row, adds a row to it.
     void finish();
@@ -43,7 +43,7 @@ private:
     /// The actions of a controller since its last row.
     struct OpenRow {
         std::vector<std::vector<Id<ChartRun::Transition>>> fired = {};
-        bool first = false;    ///< true if it includes the first evolution
+        bool first = false;    ///< true if the actions include the first evolution
         bool changed = false;  ///< true if an output or a stored variable has changed
         bool written = false;  ///< true if outputs have been written since the last evolution
     };
@@ -62,10 +62,10 @@ private:
 
     ChartRun& run_;
     Detail detail_;
-    std::vector<OpenRow> open_;  ///< open row of each controller
-    /// For each controller: true if it has sampled its inputs and will clear transitions.
+    std::vector<OpenRow> open_;  ///< the incomplete row of each controller
+    /// For each controller: true if it has sampled its inputs for an evolution that will clear transitions.
     std::vector<bool> sampled_;
-    std::size_t next_ = 0;                   ///< index of the next event
+    std::size_t next_ = 0;                   ///< index of the next event without a row
     std::optional<std::size_t> delay_ = {};  ///< the last event of a delay for which no row has been added yet
     std::int64_t delay_ms_ = 0;
 };

@@ -89,7 +89,7 @@ std::string cause_text(const ChartRun& run, const ChartRun::Cause& cause) {
 std::string causes_text(const ChartRun& run) {
     constexpr std::size_t most = 8;
     using Group = std::pair<std::string, std::vector<std::string>>;
-    std::vector<Group> groups;  // texts of times or intervals, each with the texts of its causes
+    std::vector<Group> groups;  // text of each time or interval, with the texts of its causes
     for (const ChartRun::Cause& cause : run.causes) {
         std::string when = "at " + event_text(run, run.moments[cause.first].after);
         const bool lasts = cause.first < cause.last;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Text of trace rows: the effect of one event.
+// Returns the texts of trace rows, which describe the effect of one event.
 #pragma once
 
 #include <string>
@@ -29,8 +29,8 @@ std::string cause_text(const ChartRun& run, const ChartRun::Cause& cause);
 /// contains the first causes and the number of omitted causes. If there are no causes, the text is empty.
 std::string causes_text(const ChartRun& run);
 
-/// Returns the shortest change: `without Start (START) at 1 s the property holds along the run`. Returns an empty
-/// string if no change was found.
+/// Returns the smallest change of the run that avoids the violation: `without Start (START) at 1 s the property holds
+/// along the run`. Returns an empty string if no such change was found.
 std::string counterfactual_text(const ChartRun& run);
 /// Returns the new value of a signal, such as `START`, `!a`, `N = 3`, or the expired timer, such as `3s/X2`.
 std::string counterfactual_text(const ChartRun& run, const ChartRun::Counterfactual& left_out);

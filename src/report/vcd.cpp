@@ -64,7 +64,8 @@ public:
             time = std::max(time + 1, run_.after(run_.rows[i]).time_ms * 1000);
             changes(i, time);
         }
-        out_ << fmt::format("#{}\n", time + 1000);  // viewers then show the last state for one millisecond
+        // The final time stamp makes viewers show the last state for one millisecond.
+        out_ << fmt::format("#{}\n", time + 1000);
     }
 
 private:

@@ -82,8 +82,8 @@ std::vector<ProofExplanation::ModelElement> of_kind(const ProofExplanation& why,
     return found;
 }
 
-/// Returns text about the model in which one of the elements with these names has no effect, such as `if t1 or t2 is
-/// never cleared`.
+/// Returns text about the change of the model that removes one of the named elements, such as `if t1 or t2 is never
+/// cleared`.
 std::string without(ProofExplanation::Kind kind, const Names& names) {
     const std::string list = listed(names, " or ");
     switch (kind) {
@@ -97,10 +97,10 @@ std::string without(ProofExplanation::Kind kind, const Names& names) {
     return {};
 }
 
-/// Texts about the elements of charts that the proof of a property needs, and about the elements for which this is
-/// undecided.
+/// Texts about the elements of charts that the proof of a property needs (`fails`), and about the elements for which
+/// the need is undecided.
 struct OfCharts {
-    Names fails = {};  ///< one text for each type of element, such as `if t1 or t2 is never cleared`
+    Names fails = {};  ///< one text for each type of needed element, such as `if t1 or t2 is never cleared`
     Names open = {};
 };
 

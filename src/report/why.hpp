@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Writes proof cores of properties that hold as text and as JSON (docs/explanation/why.md).
+// Writes proof cores as text and as JSON. A proof core lists the elements of the model that the proof of a property
+// needs (docs/explanation/why.md).
 #pragma once
 
 #include <iosfwd>

@@ -47,7 +47,7 @@ Framing::Framing(Receive receive, std::size_t largest) : buffer_(std::move(recei
 }
 
 /// Reads a line without its terminator. Returns false if the stream ends before the terminator. If the line is too
-/// long, only its last bytes are stored, so that a header after other bytes is found.
+/// long, only its last bytes are stored, so that a header at its end is still found.
 bool Framing::line() {
     for (line_.clear();;) {
         const std::string_view here = buffer_.rest();
@@ -64,7 +64,8 @@ bool Framing::line() {
 }
 
 /// Consumes `count` bytes of the stream and, if `text` is not null, appends the bytes to `text`. Returns false if the
-/// stream ends earlier. If an allocation fails, the bytes are nevertheless consumed, so that the next message is found.
+/// stream ends earlier. If an allocation fails, the bytes are consumed nevertheless, so that the next message can be
+/// found.
 bool Framing::take(std::size_t count, std::string* text) {
     bool refused = false;
     for (;;) {
@@ -98,9 +99,9 @@ std::optional<Framed> Framing::next() {
     return message;
 }
 
-/// Appends the bytes up to the next line terminator or the end of the stream. If the line is too large or does not fit
-/// into memory (`refused`), its remaining bytes are consumed without being stored. Returns false if the stream has no
-/// further byte.
+/// Appends the bytes up to the next line terminator or the end of the stream. If the line is too large, or an
+/// allocation fails (`refused`), the remaining bytes of the line are consumed without being stored. Returns false if
+/// the stream has no further byte.
 bool LineFraming::line(Framed& message, bool& refused) {
     std::size_t size = 0;
     bool any = false;

@@ -30,7 +30,7 @@ struct Framed {
     std::string error_text = {};  ///< error message; if not empty, there is no body
 };
 
-/// Bytes that were received but not consumed yet.
+/// Stores bytes that were received but not consumed yet.
 class ReceiveBuffer {
 public:
     static constexpr std::size_t capacity = std::size_t{1} << 16U;
@@ -49,14 +49,13 @@ private:
     std::size_t begin_ = 0, end_ = 0;
 };
 
-/// Messages with headers.
+/// Divides a stream into messages with headers.
 class Framing {
 public:
     explicit Framing(Receive receive, std::size_t largest = largest_message);
 
     /// Returns the next message, or nothing at the end of the stream. An incomplete last message is ignored. If a call
-    /// throws std::bad_alloc, the message that it was reading is skipped, and the next call returns the following
-    /// message.
+    /// throws std::bad_alloc, the current message is skipped, and the next call returns the following message.
     std::optional<Framed> next();
 
 private:
@@ -68,13 +67,13 @@ private:
     std::string line_ = {};  ///< the current line of the header
 };
 
-/// Messages that are lines. Empty lines are skipped.
+/// Divides a stream into messages that are lines. Empty lines are skipped.
 class LineFraming {
 public:
     LineFraming(Receive receive, std::size_t largest) : buffer_(std::move(receive)), largest_(largest) {}
 
-    /// Returns the next message, or nothing at the end of the stream. A last line without terminator is a message. If a
-    /// call throws std::bad_alloc, the message that it was reading is skipped, and the next call returns the following
+    /// Returns the next message, or nothing at the end of the stream. A last line without terminator is also a message.
+    /// If a call throws std::bad_alloc, the current message is skipped, and the next call returns the following
     /// message.
     std::optional<Framed> next();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Inbox: a queue of messages of the client and results of other threads, in the order of arrival.
+// Inbox: a thread-safe queue of messages from the client and results from other threads, in the order of arrival.
 #pragma once
 
 #include <atomic>
@@ -16,7 +16,7 @@
 
 namespace grafverif::rpc {
 
-/// A message, an error in a message, or a function to call.
+/// An element of the queue: a message, an error in a message, or a function to call.
 struct Item {
     std::shared_ptr<const nlohmann::json> message = {};
     std::string error_text = {};
@@ -28,7 +28,7 @@ struct Item {
 class Inbox {
 public:
     void put(Item item);
-    /// Cancels the request with this id, given as JSON, if it is still in the queue.
+    /// Cancels the request with the id `id` if the request is still in the queue.
     void cancel(const nlohmann::json& id);
     /// Closes the queue: no further items are added.
     void close();
@@ -40,14 +40,14 @@ public:
     std::optional<Item> take(std::chrono::milliseconds timeout);
     /// True if the queue is closed and empty.
     bool closed() const;
-    /// True as soon as the queue is closed, although it may still have items.
+    /// True as soon as the queue is closed, even if it still contains items.
     const std::atomic<bool>& closing() const { return closed_; }
 
 private:
     mutable std::mutex mutex_ = {};
     std::condition_variable wake_ = {};
     std::deque<Item> items_ = {};
-    std::atomic<bool> closed_ = false;  ///< written while `mutex_` is locked
+    std::atomic<bool> closed_ = false;  ///< changed only while `mutex_` is locked
 };
 
 }  // namespace grafverif::rpc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Messages of JSON-RPC 2.0, on which LSP and MCP are based.
+// Parses and prints messages of JSON-RPC 2.0, on which LSP and MCP are based.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -13,11 +13,11 @@ namespace grafverif::rpc {
 
 using Json = nlohmann::json;
 
-// JSON-RPC 2.0 section 5.1.
+// Error codes of JSON-RPC 2.0, section 5.1.
 inline constexpr int parse_error = -32700, invalid_request = -32600, no_such_method = -32601, invalid_params = -32602,
                      internal_error = -32603;
 
-/// An error response to a request. A handler of a request throws this error.
+/// An error response to a request. A handler of a request throws a RequestError.
 struct RequestError {
     int code = 0;
     std::string message = {};
@@ -30,9 +30,10 @@ const Json& member(const Json& object, const char* name);
 /// Returns the method of a request or notification, otherwise an empty string.
 std::string method_of(const Json& message);
 
-/// True if brackets are nested deeper than in any valid message. A text with such deep nesting is not parsed.
+/// True if the brackets of a text are nested deeper than in any valid message. A text with such deep nesting is not
+/// parsed.
 bool nests_too_deep(std::string_view json);
-/// Parses a frame. Invalid JSON, and JSON that is nested too deeply, is returned as an item with an error.
+/// Parses a frame. If the JSON is invalid or nested too deeply, the result is an item with an error.
 Item item_of(Framed framed);
 
 Json response(const Json& id, Json result);

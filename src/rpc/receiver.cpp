@@ -40,7 +40,7 @@ void Receiver::receive_all() const {
         for (bool more = true; more;) {
             try {
                 more = receive_next();
-            } catch (const std::bad_alloc&) {  // not even the reserved memory is sufficient for the message
+            } catch (const std::bad_alloc&) {  // even the reserved memory is not sufficient for the message
             }
         }
     } catch (const std::system_error&) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Conversions between paths and addresses (RFC 3986, RFC 8089), by which messages refer to files.
+// Converts between paths and addresses (RFC 3986, RFC 8089), by which messages refer to files.
 #pragma once
 
 #include <string>

@@ -31,7 +31,8 @@ Id<Chart::Step> Levels::exit(Id<Chart::Step> step) const {
     return step;
 }
 
-/// True if `inner` is `region`, or is the expansion of a macro-step in `region`, directly or through other expansions.
+/// True if `inner` is `region`, or the expansion of a macro-step that `region` contains directly or through other
+/// expansions.
 bool Levels::contains(Partial region, Partial inner) const {
     while (inner != region && chart_.partial_charts[inner].kind == Chart::PartialKind::Expansion)
         inner = chart_.steps[chart_.partial_charts[inner].owner].chart;
@@ -73,8 +74,8 @@ std::vector<bool> Levels::initial() const {
     return has_hierarchy_ ? settled(nullptr, marked) : marked;
 }
 
-/// Computes a fixed point. The activity of each level of the hierarchy depends only on the levels above it, so that the
-/// iteration converges one level at a time.
+/// Applies the rules of the hierarchy until the situation no longer changes. The activity of each level depends only on
+/// the levels above it, so that each iteration determines at least one further level.
 std::vector<bool> Levels::settled(const std::vector<bool>* old, const std::vector<bool>& cleared) const {
     std::vector<bool> now = cleared;
     for (std::size_t level = 0; level <= 2 * chart_.partial_charts.size() + 1; ++level) {
@@ -94,7 +95,7 @@ std::vector<bool> Levels::round(const std::vector<bool>* old, const std::vector<
                    (*old)[order.step.index] && now[order.step.index];
         });
     };
-    for (const Id<Chart::Step> id : chart_.steps.ids()) {  // steps with activation links
+    for (const Id<Chart::Step> id : chart_.steps.ids()) {  // activates the steps with activation links
         const Chart::Step& step = chart_.steps[id];
         const Id<Chart::Step> owner = chart_.partial_charts[step.chart].owner;
         const bool linked = step.activation_link && owner.valid() && old != nullptr;

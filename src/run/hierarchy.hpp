@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Applies the rules of the standard for macro-steps, enclosing steps and forcing orders to sets of steps. Activity is
-// computed for one level of the hierarchy after another, up to a fixed point.
+// Applies the rules of the standard for macro-steps, enclosing steps and forcing orders to sets of steps. The activity
+// of steps is computed for one level of the hierarchy after another, until it no longer changes.
 #pragma once
 
 #include <vector>
@@ -16,13 +16,13 @@ public:
 
     /// Returns the step that is activated in place of `step`: for a macro-step, the entry step of its expansion.
     Id<Chart::Step> entry(Id<Chart::Step> step) const;
-    /// Returns the step that must be active before `step` can be left: for a macro-step, the exit step of its
-    /// expansion.
+    /// Returns the step that must be active for transitions from `step` to be enabled: for a macro-step, the exit step
+    /// of its expansion.
     Id<Chart::Step> exit(Id<Chart::Step> step) const;
 
     /// True if the rules allow clearing `transition` when its upstream steps are active: no forcing order is active for
-    /// its chart. A source transition of an expansion or an enclosed chart also requires that the macro-step or
-    /// enclosing step of this chart is active.
+    /// its chart. For a source transition of an expansion or of an enclosed chart, the macro-step or the enclosing step
+    /// must also be active.
     bool is_free(const Chart::Transition& transition, const std::vector<bool>& situation) const;
 
     /// Returns the situation after an evolution from `old`. `cleared` is the situation that results from rules 3 and 5.
@@ -33,8 +33,8 @@ public:
     /// from `active`.
     std::vector<bool> by_hand(const std::vector<bool>& old, Id<Chart::Step> step, bool active) const;
 
-    /// Returns a step whose forcing order applies to the partial chart in `situation`, or an invalid id if no forcing
-    /// order applies.
+    /// Returns an active step of `situation` whose forcing order forces the partial chart, or an invalid id if no
+    /// forcing order forces it.
     Id<Chart::Step> holder(Id<Chart::PartialChart> partial, const std::vector<bool>& situation) const;
 
     /// Returns the situation at power-on.

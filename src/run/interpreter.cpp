@@ -11,8 +11,8 @@ namespace grafverif {
 
 namespace {
 
-/// Rules 2 and 4: determines all transitions to clear from the old situation. The first condition without value
-/// is a fault.
+/// Applies rules 2 and 4: determines from the old situation all transitions to clear. The first condition whose value
+/// is undefined is a fault.
 std::vector<Id<Chart::Transition>> transitions_to_clear(const Chart& chart, const Levels& levels, const State& old,
                                                         Reader& reader, std::optional<RunFault>& fault) {
     std::vector<Id<Chart::Transition>> cleared;
@@ -37,9 +37,9 @@ void age(const std::vector<bool>& before, State& state) {
         if (before[step] != state.situation[step]) state.ages[step] = state.situation[step] ? 0 : -1;
 }
 
-/// Rules 3 and 5: first deactivates steps, then activates steps, so that activation has priority. A step that was
-/// already active keeps its age. Finally, the activities of macro-steps, enclosed charts and forced charts are adjusted
-/// to the hierarchy.
+/// Applies rules 3 and 5: first deactivates steps, then activates steps, so that activation has priority. A step that
+/// was already active keeps its age. Finally, the activities of macro-steps, enclosed charts and forced charts are
+/// adjusted to the hierarchy.
 void change_situation(const Chart& chart, const Levels& levels, const State& old, Evolution& evolution) {
     State& state = evolution.state;
     for (const Id<Chart::Transition> id : evolution.fired)
@@ -50,7 +50,7 @@ void change_situation(const Chart& chart, const Levels& levels, const State& old
     age(old.situation, state);
 }
 
-/// Returns true if `action` is executed in an evolution; empty if its event is undefined.
+/// Returns true if the evolution executes `action`; empty if the value of its event is undefined.
 std::optional<bool> is_triggered(const Chart::StoredAction& action, const State& old, Reader& reader,
                                  const Evolution& evolution) {
     if (action.on == Chart::StoredOn::Clearing)
@@ -65,8 +65,8 @@ std::optional<bool> is_triggered(const Chart::StoredAction& action, const State&
     return event ? std::optional(*event != 0) : std::nullopt;
 }
 
-/// Executes the triggered stored actions. All values are evaluated before any value is stored. After an event, another
-/// evolution may change more.
+/// Executes the triggered stored actions. All values are evaluated before any value is stored. If an event triggers an
+/// action, the situation counts as unstable, because the next evolution may cause further changes.
 void store(const Chart& chart, const State& old, Reader& reader, Evolution& evolution) {
     std::vector<std::pair<Id<Chart::StoredAction>, std::int64_t>> writes;
     for (const Id<Chart::StoredAction> id : chart.stored.ids()) {
@@ -97,7 +97,8 @@ void store(const Chart& chart, const State& old, Reader& reader, Evolution& evol
     }
 }
 
-/// Stores the values with which the next evolution compares terms to detect edges: the values before this evolution.
+/// Stores the values of terms before this evolution. The next evolution compares them with the current values to detect
+/// edges.
 void remember(const Chart& chart, const Memory& memory, Reader& reader, Evolution& evolution) {
     evolution.state.previous.resize(memory.edges.size());
     for (std::size_t place = 0; place < memory.edges.size(); ++place) {
@@ -107,8 +108,8 @@ void remember(const Chart& chart, const Memory& memory, Reader& reader, Evolutio
     }
 }
 
-/// Starts and stops the timing of changed terms, which are evaluated after the evolution. If a term changes at the
-/// instant at which its t1 elapses, `ended` determines the order of the two events.
+/// Starts and stops the timing of observed terms that the evolution has changed. If a term changes at the instant at
+/// which its rise time t1 elapses, `ended` determines the order of these two events.
 void watch(const Chart& chart, const Memory& memory, const std::vector<bool>& ended, Reader& reader,
            Evolution& evolution) {
     const std::vector<TimedElement> elements = timed_elements(chart);
@@ -183,7 +184,7 @@ Evolution evolve(const Chart& chart, const State& state, InputValues inputs, con
     if (state.started) {
         evolution.fired = transitions_to_clear(chart, levels, state, before, evolution.fault);
         if (evolution.fault) return evolution;
-        // In another evolution with the same inputs, all edges are false.
+        // In a further evolution with the same inputs, all edges are false.
         Reader without_edges(chart, state, inputs, timed, nullptr);
         const auto clears_next = [&] {
             return !remembered.edges.empty() &&

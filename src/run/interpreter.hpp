@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Interpreter: executes the five evolution rules of IEC 60848 on a Chart as sets of steps and transitions. It is
-// independent of Equations, so that the two implementations can be tested against each other. The simulation, the
-// emulation of a PLC and the replay of traces use it.
+// Interpreter: executes the five evolution rules of IEC 60848 on a Chart as sets of steps and transitions. The
+// interpreter does not use Equations, so that both implementations of the standard can be tested against each other.
+// The simulation, the emulation of a PLC and the replay of traces use it.
 //
-//   rule 1  initial situation     power_on; its steps count as activated, so the first evolution executes their actions
+//   rule 1  initial situation see power_on: the first evolution executes the activation actions of the initial steps
 //                                 on activation and clears no transition
 //   rule 2  clearing              a transition is enabled when all upstream steps are active, and cleared when its
 //                                 condition also holds
@@ -15,8 +15,8 @@
 // An evolution reads only old values: conditions, events and stored values are evaluated over the situation and the
 // variables before the evolution. An edge (IEC 60848) compares a term with its value in the previous evolution.
 // Therefore, an edge is true only in the first evolution after a change of its term, and never in the first evolution
-// after power-on. Stored actions on outputs change the process image immediately; the plant receives the image with the
-// other outputs at the end of a cycle. If a condition reads a continuous output, the actions on the output are
+// after power-on. Stored actions on outputs change the process image immediately. At the end of a cycle, the image and
+// all other outputs are written to the plant. If a condition reads a continuous output, the actions on the output are
 // evaluated in the current situation; the last written value is not used.
 //
 // The hierarchy is applied one level after another. A macro-step is active while a step of its expansion is active.
@@ -43,17 +43,18 @@
 
 namespace grafverif {
 
-/// The elapsed times of an observed term at the end of an evolution.
+/// The times since the last changes of an observed term, at the end of an evolution.
 struct Timing {
-    std::int64_t risen = -1;  ///< milliseconds since the term became true; -1 while it is false
-    /// Milliseconds since the term became false, if the term had been true for at least t1 before; otherwise -1.
+    std::int64_t risen = -1;  ///< milliseconds since the term became true; -1 while the term is false
+    /// Milliseconds since the term became false; -1 while the term is true, or if it was true for less than the rise
+    /// time t1.
     std::int64_t fallen = -1;
 
     bool operator==(const Timing&) const = default;
 };
 
 struct State {
-    std::vector<bool> situation = {};     ///< for each step: true if it is active
+    std::vector<bool> situation = {};     ///< for each step: true if the step is active
     std::vector<std::int64_t> ages = {};  ///< for each step: milliseconds since its activation; -1 if inactive
     /// For each internal variable: its value. For each output with stored actions: its image. For any other variable:
     /// its initial value.
@@ -86,7 +87,8 @@ struct RunFault {
     Kind kind = Kind::NoValue;
     Id<Chart::Variable> variable = {};  ///< variable of the stored value; invalid for a value in a condition
     std::int64_t value = 0;
-    Span where = {};  ///< position of the transition, action or time condition; if there is none, of the chart
+    /// Position of the transition, action or time condition that causes the fault; otherwise the position of the chart.
+    Span where = {};
 
     bool operator==(const RunFault&) const = default;
 };
@@ -94,8 +96,8 @@ struct RunFault {
 struct Evolution {
     State state = {};  ///< state after the evolution; after a race or a fault it must not be used
     std::vector<Id<Chart::Transition>> fired = {};
-    /// True if the situation is stable for these inputs: no transition was cleared, no event executed an action, and in
-    /// another evolution with these inputs, in which all edges are false, no transition would be cleared.
+    /// True if the situation is stable for these inputs: the evolution cleared no transition, no event executed an
+    /// action, and a further evolution with these inputs, in which all edges are false, would clear no transition.
     bool stable = false;
     std::optional<StoredRace> race = {};
     std::optional<RunFault> fault = {};
@@ -104,7 +106,8 @@ struct Evolution {
 struct Cycle {
     State state = {};
     std::vector<std::vector<Id<Chart::Transition>>> fired = {};  ///< cleared transitions per evolution
-    bool stable = false;                                         ///< `stable` of the last evolution
+    /// True if the last evolution was stable (Evolution::stable).
+    bool stable = false;
     std::optional<StoredRace> race = {};
     std::optional<RunFault> fault = {};
     /// Total instability (stability search only): the situations that repeat forever with these inputs. After total
@@ -127,7 +130,7 @@ using InputValues = std::span<const std::int64_t>;
 State power_on(const Chart& chart);
 
 /// An element of a chart that depends on time: `t1/v/t2`. The delay of an action (IEC 60848) is a time condition such
-/// as 3s/X on the step of the action. The time limit of an action is also represented by such a time condition.
+/// as 3s/X on the step of the action. A time condition also represents the time limit of an action.
 struct TimedElement {
     Id<Expr> watched = {};  ///< observed term; invalid if `step` is observed
     Id<Chart::Step> step = {};
@@ -138,37 +141,37 @@ struct TimedElement {
     bool operator==(const TimedElement&) const = default;
 };
 
-/// Returns the time conditions in order, followed by the delay and the time limit of each continuous action, if any.
+/// Returns the time conditions of the chart in order, followed by the delays and time limits of continuous actions.
 std::vector<TimedElement> timed_elements(const Chart& chart);
 
-/// Returns, for each element of timed_elements(), true if `t1/v/t2` holds for the value of v after the last evolution.
+/// Returns, for each element `t1/v/t2` of timed_elements(), true if it holds for the value of v after the last
+/// evolution.
 std::vector<bool> time_conditions(const Chart& chart, const State& state);
 
 /// Executes one evolution. The first evolution after power_on clears no transition. `timed` is the result of
 /// time_conditions().
 Evolution evolve(const Chart& chart, const State& state, InputValues inputs, const std::vector<bool>& timed);
-/// Executes one evolution. Delays may elapse between the evaluation of conditions and the change of the situation.
-/// `ended` contains, for each timed element, the value of its time condition at the instant at which the observed terms
-/// change.
+/// Executes one evolution in which delays may elapse between the evaluation of conditions and the change of the
+/// situation. `ended` contains the value of each time condition when the observed terms change.
 Evolution evolve(const Chart& chart, const State& state, InputValues inputs, const std::vector<bool>& timed,
                  const std::vector<bool>& ended);
 
-/// Returns `state` with another situation, which the user has set. Timing starts and stops as in an evolution; stored
-/// actions are not executed. The result is empty if a time condition is undefined in this situation.
+/// Returns `state` with the situation `situation`, which the user has set. Timing starts and stops as in an evolution;
+/// stored actions are not executed. The result is empty if a time condition is undefined in this situation.
 std::optional<State> with_situation(const Chart& chart, State state, std::vector<bool> situation, InputValues inputs);
 
 /// Returns the values of the outputs for the situation and process image of `state`, indexed by variable; the entries
-/// of other variables are 0. The result is empty if an assignation condition is undefined. `timed` is the argument of
-/// the evolution that led to `state`.
+/// of other variables are 0. The result is empty if an assignation condition is undefined. `timed` is the argument
+/// `timed` of the evolution that led to `state`.
 std::optional<std::vector<std::int64_t>> output_values(const Chart& chart, const State& state, InputValues inputs,
                                                        const std::vector<bool>& timed);
 
-/// Executes one cycle of the PLC, with time conditions from the ages of the steps. Under stability search, it executes
-/// evolutions until the situation is stable, and then writes the outputs. Without stability search, it executes one
-/// evolution and writes the outputs.
+/// Executes one PLC cycle; `state` determines the values of time conditions. Under stability search, the cycle consists
+/// of evolutions until the situation is stable. Without stability search, it consists of one evolution. Then the cycle
+/// writes the outputs.
 Cycle cycle(const Chart& chart, const State& state, InputValues inputs, ExecutionMode mode);
 
-/// Returns `state` after `milliseconds` without an evolution.
+/// Returns `state` after `milliseconds` have passed without an evolution.
 State pass_time(State state, std::int64_t milliseconds);
 
 }  // namespace grafverif

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_repetitions = 100'000;  ///< maximum number of repetitions of a scan of a program
 
-/// Executes one of the controllers.
+/// Executes one of the two controllers.
 class Runner {
 public:
     Runner(const LockstepSide& side, ExecutionMode mode) : side_(side) {
@@ -54,8 +54,8 @@ private:
 
     bool is_stopped() const { return side_.stop && program_->cells()[*side_.stop] != 0; }
 
-    /// Repeats the scan until nothing changes. If the program does not settle, returns the reason, otherwise an empty
-    /// string.
+    /// Repeats the scan until the observed cells no longer change. If they never stop changing, returns the reason,
+    /// otherwise an empty string.
     std::string repeat(const std::vector<std::int64_t>& inputs) {
         std::set<std::vector<std::int64_t>> seen;
         std::vector<std::int64_t> before = settling_values();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lockstep execution of two controllers on the same scans: charts according to IEC 60848, and PLC programs on the
-// interpreter of programs.
+// Executes two controllers in lockstep on the same scans. A controller is a chart, executed according to IEC 60848, or
+// a PLC program, executed by ProgramRun.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace grafverif {
 
-/// One of the two controllers. The chart or program of this controller must outlive the execution.
+/// One of the two controllers. The chart or program must outlive the execution.
 struct LockstepSide {
     const Chart* chart = nullptr;
     const Program* program = nullptr;      ///< null if the controller is a chart

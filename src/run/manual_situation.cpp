@@ -67,8 +67,8 @@ void put_situation(const Network& network, NetworkState& state, Id<Network::Cont
         if (const auto request = argument(network, controller.timers[k].process, "P"); request.valid())
             state.variables[request.index] = 1;
     }
-    // With a task cycle and stability search, this request would continue the last scan, which does not sample the
-    // inputs again. The request is not necessary, because the next scan has at least one evolution.
+    // With a task cycle and stability search, the request for a cycle would continue the last scan, which does not
+    // sample the inputs again. The request is not necessary, because the next scan has at least one evolution.
     if (controller.words.cycle && controller.words.mode == ExecutionMode::StabilitySearch) return;
     state.variables[controller.stable.index] = 0;
 }

@@ -15,10 +15,11 @@ const Network::Template& automaton(const Network& network, const Network::Proces
 
 void lower(std::optional<std::int64_t>& least, std::int64_t value) { least = least ? std::min(*least, value) : value; }
 
-/// Returns the greatest value of a clock that the constraint admits; clocks are integers.
+/// Returns the greatest integer clock value that the constraint admits.
 std::int64_t greatest(Op relation, std::int64_t bound) { return relation == Op::Less ? bound - 1 : bound; }
 
-/// Returns the time until the invariant of the current location blocks delay, or nothing if it never blocks delay.
+/// Returns the time until the invariant of the current location prevents time from passing, or nothing if the invariant
+/// has no upper bound.
 std::optional<std::int64_t> delay_limit(const Network& network, const NetworkState& state, Id<Network::Process> id) {
     const Network::Process& process = network.processes[id];
     std::optional<std::int64_t> limit;

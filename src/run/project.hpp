@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// project: converts a run of a Network, of a TransitionSystem or of a Chart to a ChartRun without rows.
+// project: converts a run of a Network, of a TransitionSystem or of a Chart to a ChartRun, without the rows of its
+// printed trace.
 //
 // Mapping for a Network:
-//   edge of an instance, of a timer    an event; an event of a timer is internal unless a delay of the timer elapses
+//   edge of an instance, of a timer    an event; an event of a timer is internal unless the rise time or fall time of
+//                                      the timer elapses
 //   edge of a PLC                      an event with the actions of its controller, in the order of its phases
 //   delay                              an event
 // For a TransitionSystem, each step is split into events in the following order: time; controllers that acted, with
 // their results; timers that expired; components that moved; inputs that changed spontaneously. The time of an event is
-// its step number, or a time if the system has ticks. A step without visible changes is an internal event. For a Chart
-// executed by the interpreter, the caller defines the events.
+// the number of its step or, if the system has ticks, the time in milliseconds. A step without visible changes is an
+// internal event. For a Chart that the interpreter executes, the caller defines the events.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +27,8 @@
 
 namespace grafverif {
 
-/// Maps the values in a state of a model to the signals of charts and plant. A key is the index of such a value.
+/// Maps the values in a state of a model to the signals of the charts and the plant. A key is the index of a value in
+/// the state.
 class ChartView {
 public:
     /// If there are several controllers (`alone` is false), the name of a controller qualifies the names of its steps
@@ -70,7 +73,7 @@ private:
 
     ChartRun* run_;
     bool alone_;
-    std::vector<Id<ChartRun::Signal>> signals_;  ///< signal by key
+    std::vector<Id<ChartRun::Signal>> signals_;  ///< signal of each key
     std::vector<std::uint32_t> signal_keys_ = {}, step_keys_ = {};
 };
 
@@ -110,8 +113,9 @@ private:
 ChartRun project(const Chart& chart, ExecutionMode mode);
 /// Returns the values of the signals in a run of `chart` for the state `state`.
 ChartRun::State project(const Chart& chart, const State& state, InputValues inputs, std::int64_t time_ms);
-/// Appends an event and its row: an instant and the state after it. `fired` contains the transitions that each
-/// evolution of the instant clears. The first evolution of a run clears no transition and has a separate row.
+/// Appends an instant as one event with its row. `after` is the state after the instant. `fired` contains the
+/// transitions that each evolution of the instant clears. The first evolution of a run clears no transition and has a
+/// separate row.
 void append_instant(ChartRun& run, std::string what, const std::vector<std::vector<Id<Chart::Transition>>>& fired,
                     ChartRun::State after);
 

@@ -22,8 +22,8 @@ ChartRun::Kind kind_of(Network::ProcessKind kind) {
 
 bool holds(const NetworkState& state, Id<Network::Variable> variable) { return state.variables[variable.index] != 0; }
 
-/// Returns the variables that `edge` assigns directly, without its procedures. Each variable occurs once, in order of
-/// assignment.
+/// Returns the variables that `edge` assigns directly, and not in a procedure. Each variable occurs once, in the order
+/// of assignment.
 std::vector<Id<Network::Variable>> assigned(const Slots& slots, const Network::Edge& edge) {
     std::vector<Id<Network::Variable>> found;
     for (const Network::Assignment& assignment : edge.assignments) {
@@ -56,7 +56,7 @@ NetworkProjection::NetworkProjection(const Network& network, const NetworkState&
     }
     ChartRun::Event power_on;
     for (const Id<Network::Controller> id : network.controllers.ids())
-        if (!network.controllers[id].start.valid())  // the first evolution has no effect and is not an edge
+        if (!network.controllers[id].start.valid())  // the first evolution has no effect and therefore no edge
             power_on.acts.push_back({.controller = {id.index},
                                      .starts = true,
                                      .inputs = std::vector<std::int64_t>(run_.controllers[{id.index}].inputs.size())});
@@ -102,7 +102,7 @@ void NetworkProjection::add_timers(const Network::Controller& from, ChartRun::Co
     for (std::size_t k = 0; k < from.timers.size(); ++k) {
         const Network::Timer& timer = from.timers[k];
         const auto& words = from.words.timers[k];
-        const bool exact = timer.restarts;  // timers as published in CEP13 are intentionally inexact
+        const bool exact = timer.restarts;  // timers as published in CEP13 do not restart and are therefore inexact
         timer_of_[timer.process.index] =
             run_.timers.add({from.words.name, words.watched, words.step, words.rise_ms, words.fall_ms, exact});
         controller.timers.push_back(timer_of_[timer.process.index]);
@@ -140,7 +140,7 @@ void NetworkProjection::fill(ChartRun::Event& moment, const Fire& fire, const Ne
     if (moment.kind == ChartRun::Kind::Controller)
         return moment.acts.push_back(act(controller_of_[fire.process.index], edge, before, after));
     if (edge.from != edge.to || moment.kind == ChartRun::Kind::Timer) moment.location = edge.to.index;
-    if (moment.kind == ChartRun::Kind::Observer) {  // observers do not change the loop
+    if (moment.kind == ChartRun::Kind::Observer) {  // observers do not change the state of the loop
         moment.internal = true;
         return;
     }
@@ -156,7 +156,7 @@ void NetworkProjection::fill(ChartRun::Event& moment, const Fire& fire, const Ne
     const Id<ChartRun::Timer> timer = timer_of_[fire.process.index];
     if (!timer.valid()) return;
     moment.timer_holds = holds(after, end_of_[timer.index]);
-    // Without a delay, the output equals the observed term.
+    // The event is internal if the output of the timer does not change because of an elapsed delay.
     const ChartRun::Timer& of = run_.timers[timer];
     moment.internal = holds(before, end_of_[timer.index]) == moment.timer_holds ||
                       (moment.timer_holds ? of.rise_ms : of.fall_ms) == 0;
@@ -175,10 +175,12 @@ ChartRun::Act NetworkProjection::act(Id<Network::Controller> id, const Network::
     if (act.starts || act.samples) act.inputs = view_.inputs(from.words, act, before.variables);
     for (std::size_t k = 0; k < from.timers.size(); ++k) {
         if (act.samples) act.timers.push_back(holds(before, from.words.timers[k].end));
-        // The output of the timer is not sufficient, because it may still be true from an earlier rise.
+        // The output of the timer does not show if the rise time has elapsed, because the output may still be true from
+        // an earlier rise.
         if (act.evolves) act.done.push_back(before.locations[from.timers[k].process.index] == from.timers[k].done);
     }
-    // If the evolution is a separate edge, it resets the firing conditions.
+    // If the evolution is a separate edge, this edge resets the firing conditions. Therefore the firing conditions are
+    // read in the state before this edge.
     const NetworkState& fired_in = act.samples ? after : before;
     for (std::size_t k = 0; (act.samples || act.evolves) && k < from.words.transitions.size(); ++k)
         if (holds(fired_in, from.words.transitions[k].variable))

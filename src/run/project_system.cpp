@@ -10,7 +10,7 @@ namespace grafverif {
 namespace {
 
 using System = TransitionSystem;
-using Values = std::vector<std::int64_t>;  ///< the value of each symbol of main
+using Values = std::vector<std::int64_t>;  ///< the value of each symbol of the module `main`
 using Writes = ChartRun::Act::Writes;
 
 ChartRun::Kind kind_of(System::Component::Kind kind) {
@@ -153,7 +153,8 @@ private:
             add({.kind = ChartRun::Kind::Controller, .acts = {std::move(act)}});
     }
 
-    /// A controller that evolves and writes in one step does not write while its search for stability continues.
+    /// Returns when the controller writes its outputs in a step. A controller that executes an evolution and writes in
+    /// the same step does not write while its search for stability continues.
     static Writes writes(const System::Controller& from, const ChartRun::Act& act) {
         const bool searches = from.words.mode == ExecutionMode::StabilitySearch;
         if (act.starts) return searches ? Writes::No : Writes::Yes;

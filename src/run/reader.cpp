@@ -35,7 +35,8 @@ Memory memory(const Chart& chart) {
 }
 
 std::optional<std::int64_t> Reader::value(Id<Expr> term) {
-    // The old value of `undefined_` belongs to the enclosing term, which reads an output with this condition.
+    // `value` is called recursively: a term can read an output whose actions have conditions. The old value of
+    // `undefined_` belongs to the enclosing term.
     const bool outer = std::exchange(undefined_, false);
     const auto result = evaluate(chart_.exprs, term, [this](const Expr& leaf) { return leaf_value(leaf); });
     const bool is_undefined = std::exchange(undefined_, outer);
@@ -74,7 +75,7 @@ std::int64_t Reader::variable_value(Id<Chart::Variable> variable) {
     return set.value_or(0);
 }
 
-/// Returns the value of an edge: true in the first evolution after the change.
+/// Returns the value of a rising or falling edge: true in the first evolution after the change of its operand.
 std::int64_t Reader::edge_value(const Expr& edge) {
     if (memory_ == nullptr) return 0;
     const Id<Expr> operand = chart_.exprs.operands(edge)[0];
@@ -84,9 +85,9 @@ std::int64_t Reader::edge_value(const Expr& edge) {
     return edge.op == Op::Rise ? !before && now.value_or(0) != 0 : before && now.value_or(1) == 0;
 }
 
-/// Returns the value of `t1/v/t2`. The timing refers to v after the last evolution, and v may have changed since.
-/// Without t2, the condition ends immediately when v becomes false; without t1, it starts immediately when v becomes
-/// true.
+/// Returns the value of the time condition `t1/v/t2`. The stored timing refers to the value of v after the last
+/// evolution, and v may have changed since then. Without t2, the condition becomes false immediately when v becomes
+/// false. Without t1, the condition becomes true immediately when v becomes true.
 std::int64_t Reader::time_value(std::size_t index) {
     const Chart::TimeCondition& timed = chart_.time_conditions[{static_cast<std::uint32_t>(index)}];
     const bool over = timed_[index];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reader: evaluates terms of a chart for one situation, the values of the variables, and the inputs of one evolution.
-// Memory contains the terms of a chart whose previous values an evolution requires.
+// Memory: the terms of a chart whose values must be stored for the next evolution.
 #pragma once
 
 #include <optional>
@@ -14,13 +14,13 @@ namespace grafverif {
 /// The terms whose values an evolution must store for the next evolution. Only terms that the chart reads are included.
 struct Memory {
     std::vector<Id<Expr>> edges = {};        ///< operands of edges, in order
-    std::vector<std::uint32_t> places = {};  ///< for each term: index in `edges`; empty if there are no edges
+    std::vector<std::uint32_t> places = {};  ///< for each term: index in `edges`; empty if no edges are read
     std::vector<bool> time_conditions = {};  ///< for each time condition: true if the chart reads it
 };
 
 Memory memory(const Chart& chart);
 
-/// Evaluates terms. Each continuous output in conditions is evaluated at most once.
+/// Evaluates terms. A continuous output that several conditions read is evaluated only once.
 class Reader {
 public:
     /// `timed` is the argument of evolve(). If `memory` is null, as in the first evolution, all edges are false.
@@ -30,7 +30,8 @@ public:
 
     /// Returns the value of a term, or nothing if it is undefined.
     std::optional<std::int64_t> value(Id<Expr> term);
-    /// Returns 1 if an action currently sets `output`, 0 if none does, or nothing if a condition is undefined.
+    /// Returns 1 if a continuous action currently sets `output`, 0 if no action sets it, or nothing if a condition is
+    /// undefined.
     std::optional<std::int64_t> output(Id<Chart::Variable> output);
     /// True if an action stores values in `variable`.
     bool is_stored(Id<Chart::Variable> variable);

@@ -38,7 +38,7 @@ public:
         for (std::size_t k = 0; k < elements_.size(); ++k) timers_.push_back(timer_of(k));
     }
 
-    /// Lets time pass. Returns an error if the task cycle does not allow this delay.
+    /// Lets time pass. Returns an error message if the task cycle does not allow this delay, otherwise an empty string.
     std::string pass(std::int64_t milliseconds) {
         state_ = pass_time(std::move(state_), milliseconds);
         return over_ ? "" : scans_.pass(milliseconds);
@@ -83,7 +83,8 @@ private:
         return {};
     }
 
-    /// Visits the variables of one kind, in order. These variables correspond to the controller's signals of this kind.
+    /// Visits the variables of one kind, in order. Their order is the order of the controller's signals of the same
+    /// kind.
     template <class Visit>
     void each(Chart::VariableKind kind, Visit visit) const {
         std::size_t place = 0;
@@ -98,8 +99,8 @@ private:
             timed_[k] = act.samples && timers_[k] && act.timers[*timers_[k]];
     }
 
-    /// Returns an error if a timer has expired too early, or has not expired although its duration has elapsed. At
-    /// exactly the end of the duration, both outputs of the timer are accepted.
+    /// Returns an error message if a timer has expired too early, or has not expired although its duration has elapsed.
+    /// At exactly the end of the duration, both values of the timer output are accepted.
     std::string timers_fault() const {
         for (std::size_t k = 0; k < timers_.size(); ++k) {
             if (!timers_[k] || !run_.timers[controller_.timers[*timers_[k]]].exact) continue;
@@ -126,8 +127,8 @@ private:
         return step_variable(chart_, {static_cast<std::uint32_t>(node.value)});
     }
 
-    /// Returns, for each timed element, true if its t1 has elapsed. A timer may expire during a cycle, after the
-    /// sampling of inputs and before the evolution.
+    /// Returns, for each timed element, true if its rise time t1 has elapsed. A timer may expire during a cycle, after
+    /// the sampling of inputs and before the evolution.
     std::vector<bool> ended(const ChartRun::Act& act) const {
         if (act.done.empty()) return timed_;
         std::vector<bool> ended;
@@ -222,12 +223,13 @@ private:
     std::vector<TimedElement> elements_;
     State state_;
     ScanReplay scans_;
-    Values inputs_ = {};                                   ///< sampled value of each variable of the chart
-    std::vector<bool> timed_ = {};                         ///< sampled time condition of each element
-    std::vector<std::optional<std::size_t>> timers_ = {};  ///< timer of each element
+    Values inputs_ = {};            ///< sampled value of each variable of the chart
+    std::vector<bool> timed_ = {};  ///< sampled value of the time condition of each element
+    /// Index of the timer of each timed element; empty if it has no timer.
+    std::vector<std::optional<std::size_t>> timers_ = {};
     std::size_t evolutions_ = 0;
     bool over_ = false, raced_ = false;
-    std::string racing_ = {};  ///< the variable of the race
+    std::string racing_ = {};  ///< name of the variable of the race
 };
 
 using Replay = std::variant<ControllerReplay, ProgramControllerReplay>;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Replay of a run according to IEC 60848: the interpreter repeats each evolution and each other action of each
 // controller on the chart. The replay uses the inputs and the values of time conditions that were sampled in the run.
-// If a run fails the replay, it is not a run of the chart. This is an internal error in derive, in the engine, or in a
-// stage between them.
+// If the replay reports a difference, the run is not a run of the chart. The cause is an internal error in derive, in
+// the engine, or in a stage between them.
 //
-//   starts      the first evolution: situation and stored variables agree
+//   starts      the first evolution: situation and stored variables agree with the chart
 //   samples     the age of the observed term agrees with its timer, if timers are exact
 //   evolves     transitions cleared, situation, stored variables agree; stable and races, if the model includes them
 //   writes      outputs agree; an act that does not write changes no output
@@ -44,12 +44,11 @@ struct ContradictoryActions {
     std::string variable = {};
     std::optional<ProgramFault> fault = {};  ///< the run-time fault, if the controller is a program
 };
-/// Returns the contradiction at the end of a run that ends in a race, or nothing if there is no contradiction according
-/// to the rules.
+/// Returns the contradiction at the end of a run that ends in a race, or nothing if the rules yield no contradiction.
 std::optional<ContradictoryActions> clash(const ChartRun& run, std::span<const Chart* const> charts);
 
 /// Two time conditions on one step in an untimed run. A cycle samples the condition with the longer time as true and
-/// the condition with the shorter time as false. Such a run is impossible with any plant.
+/// the condition with the shorter time as false. No plant can produce such a run.
 struct UntimelyConditions {
     StepName step = {};
     std::int64_t longer_ms = 0, shorter_ms = 0;

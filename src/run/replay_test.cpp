@@ -38,7 +38,7 @@ public:
         time_ms_ = 0;
     }
 
-    /// Returns the run of the chart in a sequence, up to a fault.
+    /// Returns the run of the chart for a test sequence, up to the first fault.
     ChartRun run_of(const TestSequence::Sequence& sequence) {
         power_up();
         recorded_ = project(chart_, test_.mode);

@@ -16,7 +16,7 @@ constexpr std::size_t most_moves = 10'000;
 
 }  // namespace
 
-/// The time of `to` minus the time of `from` is at least `least`.
+/// A constraint: the time of point `to` minus the time of point `from` is at least `least`.
 struct Retiming::Difference {
     std::size_t from = 0, to = 0;
     std::int64_t least = 0;
@@ -95,13 +95,13 @@ std::optional<Run> Retiming::fit(const Network& member) const {
         if (loop_ == i) run.loop = run.moves.size();
         if (points_[i].fire) run.moves.emplace_back(*points_[i].fire);
     }
-    if (run.loop == run.moves.size()) run.moves.emplace_back(Delay{1});  // a loop that consists of a delay
+    if (run.loop == run.moves.size()) run.moves.emplace_back(Delay{1});  // adds a delay to a loop without moves
     return run;
 }
 
 namespace {
 
-/// Returns the state with equal values in place of clock values that no constraint distinguishes.
+/// Returns the state in which clock values that no constraint distinguishes are replaced by one common value.
 NetworkState capped(NetworkState state, const std::vector<ProcessClocks>& clocks) {
     for (std::size_t process = 0; process < state.clocks.size(); ++process)
         for (std::size_t clock = 0; clock < state.clocks[process].size(); ++clock) {
@@ -111,8 +111,8 @@ NetworkState capped(NetworkState state, const std::vector<ProcessClocks>& clocks
     return state;
 }
 
-/// True if the loop of a run can be repeated forever: after some repetitions, each clock has its value before the
-/// repetition, or no constraint distinguishes the values.
+/// True if the loop of a run can be repeated forever: after some repetitions, each clock has the same value as before
+/// the last repetition, or no constraint distinguishes both values.
 bool repeats(const Network& network, const Run& run, NetworkState now) {
     const std::vector<ProcessClocks> clocks = analyse_clocks(network);
     const std::size_t length = run.moves.size() - *run.loop;
@@ -127,7 +127,8 @@ bool repeats(const Network& network, const Run& run, NetworkState now) {
     return false;
 }
 
-/// True if no edge can be taken from the state, immediately or later. `stops` receives whether time stops as well.
+/// True if no edge can be taken from the state, immediately or after a delay. Sets `stops` to true if time cannot pass
+/// forever either.
 bool has_no_edges(const Network& network, NetworkState now, bool& stops) {
     const std::vector<ProcessClocks> clocks = analyse_clocks(network);
     for (std::size_t moves = 0; moves < most_moves; ++moves) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Retiming: a run of one member of a family of networks (ir/network_family.hpp) with the delays that another member
-// requires.
+// Retiming: adapts the delays of a run of one member of a family of networks (ir/network_family.hpp), so that it
+// becomes a run of another member.
 //
 // The edges of the run determine all locations and variables. Only the delays are unknown. Each clock constraint and
-// each invariant on the path limits the difference between two points in time. Therefore, the earliest solution is a
-// longest path in the graph of these differences. The result is checked by the simulator of the semantics
-// (ir/network_run.hpp) before it is used.
+// each invariant along the run limits the difference between two points in time. Therefore, the earliest solution is a
+// longest path in the graph of these differences. Before the result is used, the simulator of the network semantics
+// (ir/network_run.hpp) checks it.
 #pragma once
 
 #include <optional>
@@ -39,15 +39,15 @@ private:
     struct Difference;
     std::vector<Difference> differences(const Network& member) const;
 
-    std::vector<Point> points_ = {};  ///< point 0 is power-on
+    std::vector<Point> points_ = {};  ///< the points in time of the run; point 0 is power-on
     std::optional<std::size_t> loop_ = {};
 };
 
 /// True if `run`, possibly continued by a delay, is a run of `network` and determines the verdict on a property with
 /// this pattern. Requires that `run` determines this verdict in another member of the family, and that both members
-/// agree on the property. For `inevitable` and `leads to`, the run can be continued forever or ends in a state without
-/// successors; for `no timelock` and `no deadlock`, the run ends in a state without moves. Returns false for patterns
-/// whose verdict depends on other runs as well.
+/// agree on the property. For `inevitable` and `leads to`, the run must be infinite or end in a state without
+/// successors. For `no timelock` and `no deadlock`, the run must end in a state without moves. Returns false for
+/// patterns whose verdict depends on other runs as well.
 bool decides(const Network& network, const Run& run, Pattern pattern);
 
 }  // namespace grafverif

@@ -45,8 +45,8 @@ std::string ScanReplay::begin(const ChartRun::Act& act, const ChartRun::State& b
     return {};
 }
 
-/// Returns an error if a delay elapses during a scan: the output of a timer with t1 becomes true, or the output of a
-/// timer with t2 becomes false.
+/// Returns an error message if a delay elapses during a scan: the output of a timer with a rise time t1 becomes true,
+/// or the output of a timer with a fall time t2 becomes false.
 std::string ScanReplay::timers_fault(const ChartRun::Act& act) {
     for (std::size_t k = 0; k < timers_.size(); ++k) {
         const ChartRun::Timer& timer = run_.timers[controller_.timers[k]];

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // ScanReplay: checks the scans of one controller in a run against its task cycle (TaskCycle), independently of the
 // translation. The first scan is at power-on; the time from each scan to the next is in the range of the cycle. A scan
-// takes no time. It consists of one evolution or, under stability search, of all evolutions up to a stable one; then
-// the outputs are written. All evolutions of a scan read the values that the inputs have at the start of the scan, and
-// no delay of a timer elapses between these evolutions. Without a task cycle, every run is accepted.
+// takes no time. A scan consists of one evolution or, under stability search, of all evolutions up to a stable one.
+// Then the outputs are written. All evolutions of a scan read the values that the inputs have at the start of the scan,
+// and no delay of a timer elapses between these evolutions. Without a task cycle, every run is accepted.
 #pragma once
 
 #include <cstdint>
@@ -17,15 +17,15 @@ namespace grafverif {
 
 class ScanReplay {
 public:
-    /// Both arguments must outlive the object.
+    /// `run` and `controller` must outlive the object.
     ScanReplay(const ChartRun& run, const ChartRun::Controller& controller);
 
-    /// Each of the following functions returns an error message or an empty string.
+    /// The functions `pass` and `act` return an error message, or an empty string if there is no error.
     std::string pass(std::int64_t milliseconds);
     /// `before` is the state before the act.
     std::string act(const ChartRun::Act& act, const ChartRun::State& before);
 
-    /// Reports the result of an act. `stable` is true if the evolution of the act is stable; it is empty if the act has
+    /// Reports the result of an act. `stable` is true if the evolution of the act is stable, and empty if the act has
     /// no evolution. `writes` is true if outputs were written.
     void done(std::optional<bool> stable, bool writes);
 

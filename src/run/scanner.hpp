@@ -18,11 +18,11 @@ std::vector<Id<Chart::Variable>> variables_of_kind(const Chart& chart, Chart::Va
 /// Returns the text of a situation, such as `{2, 5}`.
 std::string situation_text(const Chart& chart, const std::vector<bool>& situation);
 
-/// Returns the message, with its code, for a chart that repeats the situations of `endless` forever. `endless` must not
-/// be empty.
+/// Returns the message, with its diagnostic code, for a chart that repeats the situations of `endless` forever.
+/// `endless` must not be empty.
 std::string instability_text(const Chart& chart, const std::vector<std::vector<bool>>& endless);
-/// Returns the message for stored actions that assign different values to `variable`; if the name is empty, the message
-/// for contradictory forcing orders.
+/// Returns the message for stored actions that assign different values to `variable`. If `variable` is empty, returns
+/// the message for contradictory forcing orders.
 std::string race_text(std::string_view variable);
 
 /// Returns the reason why a PLC cannot execute `cycle`, or an empty string if a PLC can execute it.

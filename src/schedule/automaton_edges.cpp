@@ -40,8 +40,8 @@ public:
     }
 
 private:
-    /// Returns the value of a variable. The result is invalid for a scratch variable that is not yet assigned, and for
-    /// a variable of main that the automaton writes but does not read.
+    /// Returns the current value of a variable as a term. The result is invalid for a scratch variable that is not yet
+    /// assigned, and for a variable of main that the automaton writes but does not read.
     Id<Expr> value_of(Place variable) {
         const auto found = now_.find(variable.index);
         if (found != now_.end()) return found->second;
@@ -91,8 +91,8 @@ private:
     }
 
     /// Returns `value`, or `kept` if `value` is undefined or outside the range of `target`. The fault is recorded
-    /// unless the guard excludes the fault. The range condition is always included, because a model checker also
-    /// evaluates values that do not occur in any run.
+    /// unless the guard excludes it. The returned term always tests the range, because a model checker also evaluates
+    /// the term for values that do not occur in any run.
     Id<Expr> guarded(EdgeTerms& edge, Place target, Id<Expr> value, Id<Expr> kept) {
         const Type type = slots_.network.variables[target].type;
         const auto [safe, undefined] = total(exprs_, value, types_);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Builds the module of an automaton in three stages:
-//   Declared     the symbols, which edges read: parameters, the choice of an edge, the location, clocks, and the
+//   Declared     the symbols that edges read: parameters, the choice of an edge, the location, clocks, and the
 //                variables that only this automaton writes
 //   Taken        the edges, as terms over the values before the step
-//   next values  the next value of every symbol, by cases over the edge that is taken
+//   next values  the next value of every symbol, with one case for each edge that the step can take
 //
 // Correctness: the module has the same steps as the process, and no other steps. The choice selects one edge or no
 // edge. The module's `guard` of an edge holds if and only if the edge is enabled in the network. The module's guard
@@ -62,8 +62,8 @@ public:
     Id<Expr> clock(Id<Network::Clock> id) const {
         return clocks[id.index].valid() ? draft.leaf(clocks[id.index]) : draft.exprs.integer(0);
     }
-    /// Returns a term for the entry in `cases` of the edge that is taken. If no edge, or an edge without an entry, is
-    /// taken, the value is `otherwise`.
+    /// Returns a term whose value is the entry in `cases` for the edge that the step takes. If the step takes no edge,
+    /// or an edge without an entry, the value is `otherwise`.
     template <class Cases>
     Id<Expr> by_edge(const Cases& cases, Id<Expr> otherwise) const {
         for (auto one = cases.rbegin(); one != cases.rend(); ++one)
@@ -154,7 +154,8 @@ public:
     }
 
 private:
-    /// Returns the range of clock values that satisfy a constraint, for the arguments of the process.
+    /// Returns the range of clock values that satisfy a constraint. Constants in the constraint have the values of the
+    /// arguments of the process.
     ClockInterval values(const Network::ClockConstraint& constraint) const {
         return admitted(constraint.relation,
                         bound_value(declared_.context.network, declared_.slots.process, constraint.bound));
@@ -180,7 +181,7 @@ private:
     /// Returns the clock value after a tick, limited to the cap of the current location.
     Id<Expr> after_tick(Id<Network::Clock> id) const {
         const Id<Expr> now = declared_.clock(id), more = exprs_.apply(Op::Plus, now, exprs_.integer(1));
-        std::map<std::int64_t, std::vector<Id<Expr>>> locations;  // locations with the same cap
+        std::map<std::int64_t, std::vector<Id<Expr>>> locations;  // the locations for each value of the cap
         for (const Id<Network::Location> location : declared_.automaton().locations.ids())
             locations[caps_.cap[location.index][id.index]].push_back(declared_.at(location));
         Id<Expr> next = now;
@@ -199,16 +200,17 @@ private:
 
 // -- edges ------------------------------------------------------------------------------------------------------------
 
-/// Contains all edges as terms over the values before the step.
+/// All edges, expressed by terms over the values before the step.
 struct Taken {
-    /// For each edge: condition under which it can be taken, including its location and clock constraints.
+    /// For each edge: condition under which the edge can be taken, including the source location and clock constraints.
     std::vector<Id<Expr>> guards = {};
-    /// Written variables, with the edges that write them.
+    /// For each written variable: the edges that write it, with the values that they write.
     std::map<Place, std::vector<std::pair<Edge, Id<Expr>>>> values = {};
     std::vector<Id<Expr>> faults = {};
 };
 
-/// Translates all edges. Appends the firing conditions that exist only within a step to `within`.
+/// Translates all edges. Appends to `within` the firing conditions, which are scratch variables that exist only within
+/// a step.
 Taken edges_taken(const Declared& declared, const std::optional<Clocks>& clocks,
                   std::vector<AutomatonModule::Held>& within) {
     Exprs& exprs = declared.draft.exprs;
@@ -246,7 +248,8 @@ void set_location(const Declared& declared) {
     declared.draft.set(location, System::StateSymbol{initial, declared.by_edge(cases, declared.draft.leaf(location))});
 }
 
-/// Returns `location = a | location = b` for a Boolean, and cases for an integer.
+/// Returns the value that the location determines: `location = a | location = b` for a Boolean, a case distinction over
+/// the locations for an integer.
 Id<Expr> by_location(const Declared& declared, Type type, const std::vector<std::int64_t>& values) {
     Exprs& exprs = declared.draft.exprs;
     std::vector<Id<Expr>> on;
@@ -289,7 +292,7 @@ std::vector<Effect> effects(const Declared& declared, Taken& taken) {
     return effects;
 }
 
-/// Adds a flag that remains set after a fault; invalid if there are no faults.
+/// Adds a flag that remains set after a fault. The result is invalid if no fault is possible.
 Id<Symbol> out_of_range(Draft& draft, std::vector<Id<Expr>> faults) {
     if (faults.empty()) return {};
     const Id<Symbol> flag = draft.add("out_of_range", Type{}, System::StateSymbol{});
@@ -325,8 +328,8 @@ void add_transitions(const Declared& declared, const std::vector<Id<Expr>>& guar
     list.push_back(implies(exprs, exprs.conjunction(turn, stays), idle));
 }
 
-/// Returns one movement for each location with an invariant. An automaton stays in such a location only for a bounded
-/// time.
+/// Returns one movement for each location with an invariant. An automaton stays in a location with an invariant only
+/// for a bounded time.
 std::vector<Movement> movements(const Declared& declared) {
     Draft& draft = declared.draft;
     std::vector<Movement> found;
@@ -355,7 +358,7 @@ std::vector<std::int64_t> module_key(const AutomatonContext& context, Id<Network
     std::vector<std::int64_t> key{slots.process.automaton.index, slots.process.initial.index};
     for (const Network::Argument& argument : slots.process.arguments)
         if (const auto* constant = std::get_if<std::int64_t>(&argument)) key.push_back(*constant);
-    std::map<Place, std::int64_t> seen;  // number per variable, in the order of the arguments
+    std::map<Place, std::int64_t> seen;  // a number for each variable, in the order of the arguments
     for (const Place variable : slots.used()) {
         const Network::Variable& of = context.network.variables[variable];
         key.push_back(of.type.low);

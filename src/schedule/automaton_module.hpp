@@ -8,7 +8,7 @@
 //   IVAR   edge : {stay, in_to_moving_out, ...};
 //   VAR    location : {in, moving_out, out, moving_in};
 //   ASSIGN next(location) := case edge = in_to_moving_out : moving_out; ...
-//   DEFINE OUT := location = out;     if the location determines the value; otherwise a variable
+//   DEFINE OUT := location = out;     if the location determines the value; otherwise OUT is a variable
 //   TRANS  edge = in_to_moving_out -> location = in & G_OUT & !G_IN;
 //
 // Clocks are omitted, or count time units up to their caps (ir/network_clocks, as in the timed engine): a step in which
@@ -35,13 +35,13 @@ namespace grafverif::schedule {
 enum class Discipline {
     /// The automaton takes one edge in a step in which the parameter `turn` is true, and no edge in all other steps.
     Turns,
-    Together,  ///< the automaton takes one edge in each step; it may take no edge if it has no enabled urgent edge
-    /// Like `Together`, but the automaton takes an edge only in a step in which `turn` is true. It takes at most one
-    /// edge in each `round`, and a timed edge only in the `first` round.
+    Together,  ///< in each step, the automaton takes one edge, or no edge if none of its urgent edges is enabled
+    /// Like `Together`, but the automaton takes an edge only in a step in which `turn` is true. The automaton takes at
+    /// most one edge in each `round`, and a timed edge only in the `first` round.
     Rounds,
 };
 
-/// Context of the translation of automata: the network, and the assignment of its variables to modules.
+/// Context of the translation of automata: the network, and the variables that are shared by several processes.
 struct AutomatonContext {
     const Network& network;
     Discipline discipline = Discipline::Turns;
@@ -51,7 +51,7 @@ struct AutomatonContext {
     std::vector<ProcessClocks> clocks = {};
 };
 
-/// A movement that terminates: the automaton stays in a location with an upper time bound.
+/// A movement of a plant component that terminates: the automaton stays in a location with an upper time bound.
 struct Movement {
     Id<Symbol> moving = {};  ///< definition: true while the movement is in progress
     /// Variable: true if the previous step took an edge that ends the movement and restarts it. Invalid if the
@@ -70,7 +70,8 @@ struct AutomatonModule {
     using Held = std::pair<Id<Network::Variable>, Id<Symbol>>;
 
     TransitionSystem::Module module = {};
-    Id<Symbol> turn = {}, first = {}, round = {}, tick = {};  ///< parameters; invalid if omitted
+    /// Parameters; invalid if the module does not have the parameter.
+    Id<Symbol> turn = {}, first = {}, round = {}, tick = {};
     /// Variables that are passed as further parameters, which follow the parameters `turn` to `tick`.
     std::vector<Id<Network::Variable>> reads = {};
     Id<Symbol> edge = {};      ///< choice: 0 for no edge, otherwise the index of the edge plus one
@@ -81,16 +82,18 @@ struct AutomatonModule {
     /// Definition: true if the clocks permit one time unit to pass; invalid if it is always true.
     Id<Symbol> may_wait = {};
     std::vector<Effect> effects = {};
-    Id<Symbol> can_move = {};   ///< definition: true if an edge can be taken; invalid for abstract time
+    /// Definition: true if an edge of the automaton can be taken; invalid for abstract time.
+    Id<Symbol> can_move = {};
     Id<Symbol> must_move = {};  ///< definition: true if an urgent edge can be taken
-    Id<Symbol> stays = {};      ///< definition: true if the step takes no edge
-    /// True after a fault; invalid if no assigned value can be outside the range and no term can divide by zero.
+    Id<Symbol> stays = {};      ///< definition: true if the automaton takes no edge in the step
+    /// True after a fault; invalid if no assigned value can be outside the range of its variable and no term can divide
+    /// by zero.
     Id<Symbol> out_of_range = {};
     Id<Symbol> done = {};  ///< only for Rounds: true after the automaton's turn in the current round
     std::vector<Movement> movements = {};
 };
 
-/// Returns a key. Processes with equal keys have equal modules.
+/// Returns a key for the module of a process. Processes with equal keys have equal modules.
 std::vector<std::int64_t> module_key(const AutomatonContext& context, Id<Network::Process> process);
 AutomatonModule automaton_module(const AutomatonContext& context, Id<Network::Process> process, Exprs& exprs);
 

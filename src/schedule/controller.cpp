@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Builds main, which contains the free inputs and timer outputs, and the instances of the controllers' modules.
+// Builds the module `main`, which contains the free inputs and timer outputs, and the instances of the controllers'
+// modules.
 #include "schedule/controller.hpp"
 
 #include <algorithm>
@@ -38,8 +39,8 @@ std::optional<std::vector<Id<ClosedLoop::Shared>>> inputs_of(const ClosedLoop& l
 /// The set of input combinations that satisfy the constraints added so far, as a Boolean function of the input bits.
 class Inputs {
 public:
-    /// Bits of equal significance are adjacent in the order, so that comparisons of inputs have small decision
-    /// diagrams.
+    /// In the variable order, bits of equal significance are adjacent, so that comparisons of inputs have small
+    /// decision diagrams.
     explicit Inputs(const ClosedLoop& loop)
         : loop_(loop), terms_(loop.exprs, [this](const Expr& leaf) { return term(leaf); }) {
         std::size_t most = 0;
@@ -80,8 +81,8 @@ private:
     BddTerms terms_;
 };
 
-/// Adds every constraint that reads only inputs of controllers as an invariant (DESDES06 5.1). All other constraints
-/// are ignored in this model.
+/// Adds every constraint that reads only inputs of controllers as an invariant (DESDES06 5.1). This model ignores all
+/// other constraints.
 void assume_constraints(const LoopMeaning& meaning) {
     for (const ClosedLoop::Constraint& constraint : meaning.loop.constraints) {
         std::string reason;
@@ -98,8 +99,8 @@ Id<Symbol> add_free(Main& main, const std::string& preferred, Type type, const c
 }
 
 /// Adds the free variables of each controller as its last arguments: its timer outputs and, if there are several
-/// controllers, its turn. Then sets unique names of the instances. Returns the turns, each of which is true infinitely
-/// often.
+/// controllers, its `turn` variable. Then sets unique names of the instances. Returns the `turn` variables, each of
+/// which is true infinitely often.
 std::vector<Id<Expr>> add_own_variables(const ControllerInstances& controllers) {
     Main& main = controllers.main;
     const bool several = controllers.parts.size() > 1;

@@ -14,17 +14,17 @@
 // Mapping:
 //   step             X_2, init and next by equation (12)
 //   transition       CF_T0, a definition: equation (11)
-//   output           with stability search a state variable: next(TEST) := stable ? TEST_now : TEST, where TEST_now
-//                    is equation (13); in every cycle a definition, equation (13) itself, or, if it
-//                    reads an input, a state variable, because the cycle reads the sampled input
+//   output           with stability search: a state variable, next(TEST) := stable ? TEST_now : TEST; TEST_now is
+//                    equation (13). In the mode every_cycle: a definition with equation (13), or a state variable if
+//                    equation (13) reads an input, because a cycle reads the sampled input
 //   stored action    the next value is a conditional term; with stability search, `LOCK_image` stores the value of an
 //                    output until it is written
 //   race             `race`, set permanently when two stored actions write different values simultaneously
 //   range            `out_of_range`, set permanently when a divisor is zero or an assigned value is outside the range
-//                    of its variable; such an assignment does not change the variable
+//                    of its variable; an assignment outside the range does not change the variable
 //   constraint       with the approach `constraints`, an invariant of main over the inputs (DESDES06 5.1)
 //   observer         a module that observes every step
-//   several controllers   a free `turn_NAME` for each controller, true infinitely often: the relative speed of
+//   several controllers   a free variable `turn_NAME` for each controller, true infinitely often: the relative speed of
 //                         controllers is arbitrary
 //
 // The system is total: every next value is defined in every state, and contradictory constraints are rejected.
@@ -46,9 +46,9 @@ namespace grafverif {
 bool constraints_agree(const ClosedLoop& loop, Diagnostics& diagnostics);
 
 /// Returns the system of the controllers of `loop`, with its properties. Properties that also depend on the plant are
-/// in `omitted`. `equations` contains the equations of the charts of the controllers, in the order of the controllers.
-/// Requires that `verify` returns an empty list for each argument, and, with the approach `constraints`, that
-/// `constraints_agree` returns true.
+/// listed in TransitionSystem::omitted. `equations` contains the equations of the charts of the controllers, in the
+/// order of the controllers. Requires that `verify` returns an empty list for each argument, and, with the approach
+/// `constraints`, that `constraints_agree` returns true.
 TransitionSystem schedule_controllers(const Model& model, const ClosedLoop& loop, std::span<const Equations> equations,
                                       const ScheduleOptions& options = {});
 

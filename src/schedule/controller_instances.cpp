@@ -11,7 +11,7 @@ namespace {
 
 using Role = Equations::Role;
 
-/// Returns the names of controller `index` for traces, which map its symbols to the names of its chart. `runs` is true
+/// Returns the names of controller `index` for traces: a map from its symbols to the names of its chart. `runs` is true
 /// in steps in which the controller executes a cycle; if `runs` is invalid, the controller executes a cycle in every
 /// step.
 TransitionSystem::Controller words(const ControllerInstances& controllers, std::size_t index, Id<Expr> runs) {

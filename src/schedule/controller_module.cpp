@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
-// The module of one controller: translates the equations of a PLC cycle to a step of the system.
+// Builds the module of one controller: translates the equations of a PLC cycle to a step of the system.
 //
-// First a symbol is declared for every variable of the equations, because an equation may read any variable (Cycle).
-// Then the values of the symbols are defined by the equations: steps and stored variables, previous values, outputs,
+// First, the class Cycle declares a symbol for every variable of the equations, because an equation may read any
+// variable. Then the equations define the values of the symbols: steps and stored variables, previous values, outputs,
 // timers. Equations are evaluated at three times, which differ in the meaning of leaves:
 //   now     in a cycle: variables before the cycle, and sampled inputs; for firing conditions and next values
 //   after   after a cycle: activities and stored values after the cycle, and sampled inputs; for equation (13), in the
 //           mode every_cycle
-//   first   in the first evolution: initial values and sampled inputs; no timer has expired
+//   first   in the first evolution: initial values and sampled inputs, before any timer has expired
 //
 // State 0 is power-on. The first evolution is a separate step if it has a visible effect (a stored action, an output, a
-// previous value), or if the module is used scan by scan. `started` is false in this step and true in cycles; it
-// selects between the effects of the first evolution and of a cycle. Otherwise the first step is the first cycle, and
-// `started` is constantly true.
+// previous value), or if the module is executed scan by scan. `started` is false in this step and true in cycles;
+// `started` selects between the effects of the first evolution and of a cycle. Otherwise the first step is the first
+// cycle, and `started` is constantly true.
 //
-// A TransitionSystem must be total. Therefore a term that divides by zero is replaced by a term that does not
-// (ranges.hpp), and a variable is unchanged if its new value would be outside its range. Both cases are faults
-// (Faults), which set `out_of_range` permanently. A cycle reads the same values as the PLC: all right-hand sides are
-// over the values before the step, except those of `after`, in which the next values are substituted. A cycle reads an
-// output with stored actions from its image, because the output may not have been written to the plant yet. While
-// `turn` is false, no variable changes.
+// A TransitionSystem must be total. Therefore a term that can divide by zero is replaced by a term that cannot
+// (ranges.hpp), and a variable is unchanged if its new value would be outside its range. A division by zero and a value
+// outside the range are faults, which set `out_of_range` permanently. A cycle reads the same values as the PLC: all
+// right-hand sides are terms over the values before the step. In the terms `after`, the next values are substituted. A
+// cycle reads an output with stored actions from its image (the internal copy of the output), because the output may
+// not have been written to the plant yet. While `turn` is false, no variable changes.
 #include "schedule/controller_module.hpp"
 
 #include <algorithm>
@@ -76,7 +76,7 @@ public:
     Id<Expr> turn() const { return turn_.valid() ? draft_.leaf(turn_) : draft_.exprs.constant(true); }
     Id<Expr> elapses() const { return draft_.leaf(elapse_); }
 
-    /// Returns the condition that the first evolution has been executed and that the current step is therefore a cycle.
+    /// Returns the condition that the controller has executed the first evolution, so that the current step is a cycle.
     Id<Expr> in_cycles() const { return started_.valid() ? draft_.leaf(started_) : draft_.exprs.constant(true); }
     Id<Expr> initial(Id<Variable> id) const { return literal(draft_.exprs, variable(id).type, variable(id).initial); }
     Id<Expr> now(Id<Expr> term) { return now_(term); }
@@ -96,8 +96,8 @@ public:
         draft_.set(symbol, TransitionSystem::StateSymbol{initial, next});
     }
 
-    /// Returns a term with the value of `term`, or of `instead` if `term` divides by zero. Adds the condition of the
-    /// division by zero to `faults`.
+    /// Returns a term with the value of `term`, or of `instead` if `term` divides by zero. Adds the condition under
+    /// which `term` divides by zero to `faults`.
     Id<Expr> total(Id<Expr> term, Id<Expr> instead, std::vector<Id<Expr>>& faults) const {
         if (!divides_) return term;
         const auto [safe, undefined] = schedule::total(draft_.exprs, term, draft_.types());
@@ -109,7 +109,7 @@ public:
 private:
     static Id<Variable> of(const Expr& node) { return {static_cast<std::uint32_t>(node.value)}; }
 
-    /// Declares a symbol for every variable with this role. The symbol has the name of the variable.
+    /// Declares a symbol for every variable with the role `role`. The symbol has the name of the variable.
     std::vector<Id<Variable>> declare(Role role, const char* section) {
         std::vector<Id<Variable>> found;
         for (const Id<Variable> id : equations_.variables.ids()) {
@@ -142,8 +142,8 @@ private:
         });
     }
 
-    /// Adds `started` if the first evolution is a separate step. No timer has expired in this step, because a timer
-    /// expires only after the activation of its step.
+    /// Adds the symbol `started` if the first evolution is a separate step. In the first evolution, no timer has
+    /// expired, because a timer expires only after the activation of its step.
     void add_started() {
         if (!style_.scans && !first_evolution_shows()) return;
         Exprs& exprs = draft_.exprs;
@@ -190,9 +190,11 @@ private:
     Draft& draft_;
     const bool divides_ = divides(equations_.exprs);
     std::vector<bool> stored_ =
-        std::vector<bool>(equations_.variables.size());  ///< for each variable: true if it has stored actions
-    /// For each variable: the symbol that the cycle reads, and the symbol that is visible outside the module. The two
-    /// symbols differ only for an output with stored actions under stability search: the cycle reads its image.
+        /// For each variable: true if stored actions write the variable.
+        std::vector<bool>(equations_.variables.size());
+    /// For each variable: the symbol that the cycle reads (`read_`), and the symbol that is visible outside the module
+    /// (`shown_`). These symbols differ only for an output with stored actions under stability search: the cycle reads
+    /// its image.
     std::vector<Id<Symbol>> read_, shown_;
     std::vector<Id<Variable>> parameters_ = {};
     Id<Symbol> turn_ = {}, elapse_ = {}, started_ = {};  ///< invalid if the module does not use the symbol
@@ -257,14 +259,15 @@ std::vector<Id<Expr>> set_next_values(Cycle& cycle, Draft& draft, Faults& faults
     return next;
 }
 
-/// Sets the previous values for edges. A division by zero in a term is a fault.
+/// Sets the previous values of the terms whose rising or falling edges are observed. A division by zero in such a term
+/// is a fault.
 void set_previous(Cycle& cycle, Draft& draft, Faults& faults) {
     const Id<Expr> off = draft.exprs.constant(false);
     for (const Equations::Previous& previous : cycle.equations().previous)
         cycle.set(cycle.read(previous.variable), off, cycle.total(cycle.now(previous.value), off, faults.conditions));
 }
 
-/// Sets the levels that timers observe to their values after the step.
+/// Sets the next values of the levels (Boolean terms) that timers observe.
 void set_watched(Cycle& cycle, Draft& draft, const std::vector<Id<Expr>>& next, Faults& faults) {
     if (!cycle.style().scans) return;
     const Id<Expr> off = draft.exprs.constant(false);
@@ -273,7 +276,7 @@ void set_watched(Cycle& cycle, Draft& draft, const std::vector<Id<Expr>>& next, 
         cycle.set(cycle.read(watch.variable), off, cycle.total(after(watch.value), off, faults.conditions));
 }
 
-/// True if the output always has its initial value.
+/// True if the equation of the output always has the initial value of the output.
 bool is_unwritten(Cycle& cycle, const Equations::Output& output) {
     return cycle.now(output.value) == cycle.initial(output.variable);
 }
@@ -297,8 +300,8 @@ Id<Symbol> add_stable(Cycle& cycle, Draft& draft, Faults& faults) {
     return draft.define("stable", total, "stability: one more cycle would change no step and no stored variable");
 }
 
-/// Adds an output that is written only when the situation is stable. `now` is the value to write. Returns the condition
-/// that the output already has this value.
+/// Adds an output that the controller writes only when the situation is stable. `now` is the value to write. Returns
+/// the condition that the output already has this value.
 Id<Expr> written_when_stable(const Cycle& cycle, Draft& draft, Id<Variable> id, Id<Expr> stable, Id<Expr> now) {
     const Id<Expr> kept = draft.leaf(cycle.shown(id));
     cycle.set(cycle.shown(id), cycle.initial(id), draft.exprs.conditional(stable, now, kept));
@@ -311,7 +314,8 @@ Id<Expr> add_now(const Cycle& cycle, Draft& draft, Id<Variable> id, Id<Expr> val
                                 variable.origin));
 }
 
-/// Adds equation (13) for stability search. Returns the condition that the output already has the value to write.
+/// Adds the output of equation (13) under stability search. Returns the condition that the output already has the value
+/// to write.
 Id<Expr> set_searching_output(Cycle& cycle, Draft& draft, const Equations::Output& output, Id<Expr> stable,
                               Faults& faults) {
     Exprs& exprs = draft.exprs;
@@ -332,8 +336,8 @@ bool reads_inputs(const Equations& equations, Id<Expr> term) {
     });
 }
 
-/// Adds equation (13) for every cycle, including the first evolution. Returns the condition that the output already has
-/// the value to write.
+/// Adds the output of equation (13) in the mode every_cycle, including its value after the first evolution. Returns the
+/// condition that the output already has the value to write.
 Id<Expr> set_cyclic_output(Cycle& cycle, Draft& draft, const Equations::Output& output, TermCopier& after,
                            Faults& faults) {
     Exprs& exprs = draft.exprs;
@@ -356,7 +360,7 @@ Id<Expr> set_cyclic_output(Cycle& cycle, Draft& draft, const Equations::Output& 
     return exprs.apply(Op::Equal, draft.leaf(symbol), now);
 }
 
-/// Sets all outputs, including those with images. Returns `settled`.
+/// Sets all outputs, including outputs with images. Returns the symbol `settled`.
 Id<Symbol> set_outputs(Cycle& cycle, Draft& draft, Id<Symbol> stable, const std::vector<Id<Expr>>& next,
                        Faults& faults) {
     TermCopier after = cycle.after(next);
@@ -373,8 +377,8 @@ Id<Symbol> set_outputs(Cycle& cycle, Draft& draft, Id<Symbol> stable, const std:
 }
 
 /// Sets the timers. A timer of a step may expire while its step is active, at any time that `elapse` permits. The timer
-/// is reset when the step is deactivated or activated again. The outputs of other timers (with a second duration, or
-/// for another term) are free.
+/// is reset when the step is deactivated or activated again. All other timers have a second duration or observe another
+/// term; their outputs are free.
 void set_timers(Cycle& cycle, Draft& draft, const std::vector<Id<Expr>>& next) {
     if (!cycle.style().with_plant) return;
     Exprs& exprs = draft.exprs;
@@ -396,7 +400,7 @@ void set_timers(Cycle& cycle, Draft& draft, const std::vector<Id<Expr>>& next) {
     }
 }
 
-/// Adds a flag that remains set after one of `faults`; invalid if there are none.
+/// Adds a flag that remains set after one of `faults`. The result is invalid if `faults` is empty.
 Id<Symbol> add_flag(const Cycle& cycle, Draft& draft, const char* preferred, const std::vector<Id<Expr>>& faults) {
     Exprs& exprs = draft.exprs;
     const Id<Expr> fault = exprs.disjunction(faults);
@@ -406,7 +410,7 @@ Id<Symbol> add_flag(const Cycle& cycle, Draft& draft, const char* preferred, con
     return flag;
 }
 
-/// Returns the conditions of races. Divisions by zero in these conditions are added to `found`.
+/// Returns the conditions under which stored actions race. Adds divisions by zero in these conditions to `found`.
 std::vector<Id<Expr>> races(Cycle& cycle, Draft& draft, Faults& found) {
     Exprs& exprs = draft.exprs;
     const Id<Expr> off = exprs.constant(false), at_start = exprs.negation(cycle.in_cycles());

@@ -14,8 +14,8 @@ namespace grafverif::schedule {
 
 struct ControllerModule {
     TransitionSystem::Module module = {};
-    /// The inputs and timer outputs that are parameters, in order. The parameters `turn` and `elapse` follow if the
-    /// module has them.
+    /// The inputs and timer outputs that are parameters of the module, in order. The parameters `turn` and `elapse`
+    /// follow them if the module has these parameters.
     std::vector<Id<Equations::Variable>> parameters = {};
     /// For each variable of the equations: the symbol that properties read. For an output, this symbol represents the
     /// value written to the plant.
@@ -24,8 +24,9 @@ struct ControllerModule {
     /// separate step.
     Id<Symbol> started = {};
     Id<Symbol> settled = {};
-    Id<Symbol> race = {};  ///< invalid if a race of stored actions is impossible
-    /// Invalid if no assigned value can be outside the range and no term can divide by zero.
+    Id<Symbol> race = {};  ///< flag that remains set after a race of stored actions; invalid if no race is possible
+    /// Flag that remains set after a fault; invalid if no assigned value can be outside the range of its variable and
+    /// no term can divide by zero.
     Id<Symbol> out_of_range = {};
     /// Variables to which a value outside their range may be assigned.
     std::vector<Id<Equations::Variable>> bounded = {};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Draft: builder of a module of the TransitionSystem. A Draft contains the symbols of the module, with unique names,
-// and creates terms over these symbols. A symbol can be added before its value is known; `set` defines the value later.
-// Terms can read the symbol before its value is defined. Main: builder of the system. Main contains the module `main`
-// as a Draft, all other modules, the instances of these modules, and the symbols of instances that are visible in main.
+// and creates terms over these symbols. A symbol can be added, and read by terms, before its value is known; `set`
+// defines the value later. Main: builder of the system. Main contains the module `main` as a Draft, all other modules,
+// the instances of these modules, and the symbols of instances that are visible in main.
 #pragma once
 
 #include <map>

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Interleaving: one process of the network moves in each step. The choice `move` of main selects it; the modules of the
-// processes implement the moves (automaton_module.hpp). A module moves if and only if main selects it. Therefore two
-// processes never move simultaneously.
+// Translates a network with interleaving: one process of the network moves in each step. The choice `move` of main
+// selects the process; the modules of the processes implement the moves (automaton_module.hpp). A module moves if and
+// only if main selects its process. Therefore two processes never move simultaneously.
 //
 // Completeness: every run of the network is preserved, because in every state each process that can move may be chosen.
-// Soundness: only the abstraction of time adds runs. `none` (and, if clocks are counted, the tick) can be chosen only
-// if time can pass in the network, that is, if no urgent edge is enabled. Totality: if an urgent edge is enabled, its
-// process can move. If no urgent edge is enabled and time is abstract, `none` can be chosen. If clocks are counted, a
-// process can move or time can pass; `none` can be chosen only in states in which neither is possible, and such a state
-// is then repeated.
+// Soundness: only the abstraction of time adds runs. The value `none` (and, if clocks are counted, the tick) can be
+// chosen only if time can pass in the network, that is, if no urgent edge is enabled. Totality (every state has a
+// successor): if an urgent edge is enabled, its process can move. If no urgent edge is enabled and time is abstract,
+// `none` can be chosen. If clocks are counted, a process can move or time can pass; `none` can be chosen only in a
+// state in which no process can move and no time can pass. The step with `none` leads to the same state.
 //
-// The properties are those of the loop, translated to main (properties.hpp); the controllers of the network map the
-// names of the loop to main.
+// The properties of the loop are translated to terms over symbols of main (properties.hpp). The controllers of the
+// network map the names of the loop to main.
 #include "schedule/network.hpp"
 
 #include <algorithm>
@@ -84,13 +84,14 @@ void wire_moves(const PlantInstances& plant, const MoveChoice& move, bool discre
     plant.wire(signals);
 }
 
-/// Conditions under which a process can move or time can pass. Both are invalid unless clocks are counted.
+/// Conditions under which a process can move (`can_move`) or time can pass (`can_wait`). `can_move` and `can_wait` are
+/// invalid unless clocks are counted.
 struct Offers {
     Id<Expr> can_move = {}, can_wait = {};
 };
 
-/// Abstract time: `none` can be chosen if no urgent edge is enabled. Discrete time: a process moves or time passes
-/// whenever possible.
+/// Constrains the choice. With abstract time, `none` can be chosen if no urgent edge is enabled. With discrete time, a
+/// process moves or time passes whenever possible.
 Offers add_offers(const PlantInstances& plant, const MoveChoice& move, bool discrete) {
     Main& main = plant.main;
     Exprs& exprs = main.system.exprs;
@@ -125,7 +126,7 @@ void add_race_property(const PlantInstances& plant) {
               {plant.main.draft.leaf(plant.variables[race.index])});
 }
 
-/// Adds the property of the network that has the name of `property` and refers to its observer (compose/observe.hpp),
+/// Adds the property of the network that has the name of `property` and reads its observer (compose/observe.hpp),
 /// followed by its vacuity probes (ir/probes.hpp). If the network has no such property, adds `property` itself.
 void add_watched(const LoopMeaning& meaning, const PlantInstances& plant, const Property& property) {
     const Network& network = plant.context.network;
@@ -205,7 +206,7 @@ System::Controller words(const PlantInstances& plant, const Network::Controller&
     const std::size_t plc = controller.process.index;
     const auto place = [&](Id<Equations::Variable> id) {
         const Id<Network::Variable> variable = controller.variables[id.index];
-        for (const auto& [known, symbol] : plant.automata[plc].within)  // these variables do not belong to the state
+        for (const auto& [known, symbol] : plant.automata[plc].within)  // scratch variables do not belong to the state
             if (known == variable) return plant.main.member(plant.instances[plc], symbol);
         return plant.variables[variable.index];
     };
@@ -237,7 +238,8 @@ TransitionSystem interleaved(const Model& model, const ClosedLoop& loop, std::sp
     wire_moves(plant, move, discrete);
     plant.set_effects();
     const Offers offers = add_offers(plant, move, discrete);
-    if (options.fairness) {  // movements terminate, and time diverges; therefore urgent edges are not postponed forever
+    // Fairness: movements terminate and time diverges; therefore no urgent edge is postponed forever.
+    if (options.fairness) {
         plant.add_fairness();
         main.draft.module.justice.push_back(plant.none_urgent());
     }

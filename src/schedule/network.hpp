@@ -8,14 +8,13 @@
 //                    grain of the network
 //   moving process   a choice `move` of main: `of_H_Cyl`, `of_PLC`, or `none`, which can be chosen only if no urgent
 //                    edge is enabled
-//   shared variable  a variable of the module that writes it, or a definition if the location determines its value; a
-//                    variable of main if it has several writers (the flags of the PLC)
+//   shared variable  a variable of the module that writes it, or a definition if the location determines its value. A
+//                    shared variable with several writers (the flags of the PLC) is a variable of main
 //   time             abstract: clocks are omitted, so that a timed edge may be taken at any time. The model has all
 //                    runs of the timed loop, and may have further runs. Discrete: each clock is a counter in its
 //                    module, bounded by the cap of the clock as in the timed engine, and a step with `move = of_time`
-//                    is a tick. The model has the same states as the timed engine. `no deadlock` becomes: it is always
-//                    possible that an edge can be taken. `no timelock` becomes: it is always possible that time can
-//                    pass
+//                    is a tick. The model has the same states as the timed engine. `no deadlock` becomes `always
+//                    possible p`; p states that an edge can be taken. For `no timelock`, p states that time can pass
 //   observer         a module that observes every step
 //
 // The system is total. If an urgent edge is enabled, the process of this edge can move; otherwise `none` can be chosen.
@@ -41,9 +40,10 @@ std::optional<TransitionSystem> schedule_network(const Model& model, const Close
                                                  const ScheduleOptions& options, Diagnostics& diagnostics);
 
 /// Translates an abstraction of the network of `loop`: an expanded network with the same controllers, processes and
-/// variables, in which clock constraints may be missing. The properties of the result are the properties of
-/// `abstraction` about all states, and the properties that exclude races and values outside their ranges. If some process
-/// has clock constraints, time is discrete. If a variable has too many values for a symbolic model, returns nullopt.
+/// variables, in which clock constraints may be missing. The properties of the result are those properties of
+/// `abstraction` that concern all states, and the properties that exclude races and values outside their ranges. If
+/// some process has clock constraints, time is discrete. If a variable has too many values for a symbolic model,
+/// returns nullopt.
 std::optional<TransitionSystem> schedule_abstraction(const Model& model, const ClosedLoop& loop,
                                                      std::span<const Equations> equations, const Network& abstraction);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Guards may read the locations of all observers. Therefore all observers are declared first, as instances of modules
-// with only a location. Then each module is replaced by the complete module with parameters and edges.
+// Declares all observers first, as instances of modules with only a location, because guards may read the locations of
+// all observers. Then replaces each module by the complete module with parameters and edges.
 #include "schedule/observers.hpp"
 
 #include <unordered_map>
@@ -23,7 +23,7 @@ std::vector<std::string> value_names(const ClosedLoop::Observer& observer) {
 
 struct Guarded {
     Id<ClosedLoop::ObserverLocation> from = {}, to = {};
-    Id<Expr> guard = {};  ///< guard over symbols of main
+    Id<Expr> guard = {};  ///< guard as a term over symbols of main
 };
 
 /// For a symbol `instance.symbol` of main, returns its name in the module of the instance (`symbol`). For any other
@@ -65,7 +65,7 @@ Id<Symbol> declare(Main& main, const ClosedLoop::Observer& observer) {
     return main.member(instance, location);
 }
 
-/// Adds the edges. `location` is the result of `declare`.
+/// Adds the edges of an observer. `location` is the result of `declare`.
 void watch(Main& main, Id<Symbol> location, const std::vector<Guarded>& edges) {
     auto& known = std::get<System::MemberSymbol>(main.draft.module.symbols[location].kind);
     System::Module& module = main.system.modules[main.system.instances[known.instance].module];

@@ -13,7 +13,7 @@ namespace {
 
 using System = TransitionSystem;
 
-// Maximum number of values of an integer; with more values, NuSMV needs noticeable time.
+// Maximum number of values of an integer variable; with more values, NuSMV needs noticeable time.
 constexpr std::int64_t most_values = 4096;
 
 }  // namespace
@@ -103,7 +103,7 @@ void PlantInstances::add_fairness() const {
     Exprs& exprs = main.system.exprs;
     for (std::size_t process = 0; process < automata.size(); ++process) {
         const Network::ProcessKind kind = context.network.processes[{static_cast<std::uint32_t>(process)}].kind;
-        // The only movement of a PLC is the time between two scans of its task cycle.
+        // The time between two scans of the task cycle is the only movement of a PLC.
         if (kind == Network::ProcessKind::Environment || kind == Network::ProcessKind::Observer) continue;
         for (const Movement& movement : automata[process].movements) {
             const Id<Expr> ended = movement.ended.valid() ? inner(process, movement.ended) : exprs.constant(false);

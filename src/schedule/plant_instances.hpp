@@ -26,9 +26,9 @@ struct PlantInstances {
     std::vector<Id<TransitionSystem::Instance>> instances = {};  ///< instance of each process
     std::vector<Id<Symbol>> variables = {};                      ///< symbol in main for each variable of the network
 
-    /// Adds an instance, and if necessary a module, for every process. Adds variables of main for variables that no
-    /// process owns. `known` contains the symbols of main that already exist for variables of the network (outputs of
-    /// controllers).
+    /// Adds an instance, and if necessary a module, for every process. Adds a variable of main for each variable of the
+    /// network that belongs to no module and has no symbol in `known`. `known` contains the symbols of main that
+    /// already represent variables of the network (outputs of controllers).
     PlantInstances(Main& main, AutomatonContext context, std::vector<Id<Symbol>> known);
 
     /// Returns a term of main that reads a symbol of the module of a process.

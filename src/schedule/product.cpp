@@ -53,8 +53,8 @@ private:
         return is_program(k) && sides_[k].scan->elapsed == id;
     }
 
-    /// Returns the inputs of the first side: of a chart in the order of its variables, of a program in the order of its
-    /// memory cells.
+    /// Returns the inputs of the first side: for a chart in the order of its variables, for a program in the order of
+    /// its memory cells.
     std::vector<Id<Equations::Variable>> first_inputs() const {
         std::vector<Id<Equations::Variable>> found;
         const auto add = [&](Id<Equations::Variable> id) {
@@ -102,7 +102,7 @@ private:
                                   TransitionSystem::ChoiceSymbol{}, "time until the next scan");
     }
 
-    /// Returns the time until the next scan, in units.
+    /// Returns the time until the next scan, in units of `unit_ms`.
     Id<Expr> passed_units() {
         return passed_.valid() ? main_.draft.leaf(passed_)
                                : exprs().integer(options_.interval_ms.value_or(0) / options_.unit_ms);
@@ -117,8 +117,8 @@ private:
         return main_.draft.define("first_turn", exprs().conjunction(main_.draft.leaf(turn), main_.draft.leaf(fresh_)));
     }
 
-    /// Adds the time that passed before the scan, for a program that reads it. The added variable is 0 in repetitions
-    /// of the scan.
+    /// Adds a variable for the time that passed before the scan, for a program that reads this time. The variable is 0
+    /// in repetitions of the scan.
     Id<Symbol> add_elapsed(std::size_t k) {
         const Type type = equations_[k]->variables[sides_[k].scan->elapsed].type;
         const Id<Expr> most = exprs().integer(type.high);
@@ -170,9 +170,9 @@ private:
                                "remaining time units of timers");
     }
 
-    /// Adds the output of a timer. The timer observes a step or a level after the last evolution. While the level is
-    /// false, the remaining time is equal to t1. `lasted` is true if, in the previous state, the level was true and t1
-    /// had elapsed.
+    /// Adds the output of a timer. The timer observes a step or a Boolean term (level) after the last evolution. While
+    /// the level is false, the remaining time is equal to the rise time t1. `lasted` is true if, in the previous state,
+    /// the level was true and t1 had elapsed.
     Id<Symbol> end_of(std::size_t k, Id<Equations::Variable> id) {
         const auto timer = std::ranges::find(equations_[k]->timers, id, &Equations::Timer::end);
         const std::string name = (k == 0 ? "a_" : "b_") + timer->name;
@@ -208,8 +208,8 @@ private:
         return exprs().disjunction(faults);
     }
 
-    /// Returns the condition that the chart is quiescent and that the current evolution causes no fault: an output that
-    /// divides by zero has no value to write.
+    /// Returns the condition that the chart is quiescent and that the current evolution causes no fault. The second
+    /// condition is necessary, because an output that divides by zero has no value to write.
     Id<Expr> settled(std::size_t k) {
         Id<Expr> settled = inner(k, modules_[k].settled);
         if (elapsed_[k].valid()) settled = exprs().conjunction(settled, is_zero(main_.draft.leaf(elapsed_[k])));
@@ -243,9 +243,9 @@ private:
                     }));
     }
 
-    /// Adds a tautology that relates variables of the same name. The tautology affects only the variable order of
-    /// decision diagrams, in which the variables of one term are close together. Variables of the same name are usually
-    /// equal.
+    /// Adds a tautology that relates variables of the same name in both charts. The tautology affects only the variable
+    /// order of decision diagrams: variables of one term are placed close together. This order reduces the size of the
+    /// diagrams, because variables of the same name are usually equal.
     void keep_twins_together() {
         for (const Id<Equations::Variable> of_a : equations_[0]->variables.ids())
             for (const Id<Equations::Variable> of_b : equations_[1]->variables.ids()) {
@@ -261,7 +261,7 @@ private:
             }
     }
 
-    /// Returns the condition that an output of the two charts differs.
+    /// Returns the condition that at least one compared output has different values in the two charts.
     Id<Expr> differing() {
         std::vector<Id<Expr>> pairs;
         for (const Id<Equations::Variable> of_a : equations_[0]->variables.ids())
@@ -275,7 +275,7 @@ private:
         return exprs().disjunction(pairs);
     }
 
-    /// Returns the condition that the charts have completed fewer than `than` scans.
+    /// Returns the condition that both charts have completed fewer than `than` scans.
     Id<Expr> scans_are_fewer(std::int64_t than) {
         const Id<Symbol> scans = main_.draft.add("scans", integer_type(0, than), TransitionSystem::StateSymbol{},
                                                  "number of scans begun after the first");

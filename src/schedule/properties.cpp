@@ -9,8 +9,8 @@ namespace grafverif::schedule {
 
 namespace {
 
-/// Translates a name of the loop. If the name has no meaning in the model, the result is invalid, and `reason` receives
-/// the reason.
+/// Translates a name of the loop to a term. If the name has no meaning in the model, the result is invalid, and
+/// `reason` receives the reason.
 Id<Expr> leaf_of(const LoopMeaning& meaning, const ClosedLoop::Symbol& symbol, std::string& reason) {
     const ClosedLoop& loop = meaning.loop;
     const Draft& main = meaning.main.draft;
@@ -128,8 +128,9 @@ void add_property(const LoopMeaning& meaning, const Property& property) {
     if (meaning.checked_when_stable) translated.at_stable = true;
     if (property.pattern == Pattern::ReachableAllSteps) return add_all_steps(meaning, translated);
     if (property.pattern == Pattern::NoDeadlock || property.pattern == Pattern::NoTimelock) {
-        // `no deadlock` requires that an edge can be taken immediately or after a delay. Until an edge is enabled, only
-        // time passes, so that there is only one run; therefore `always possible` has the same meaning.
+        // `no deadlock` requires that an edge can be taken immediately or after a delay. Until an edge is enabled, the
+        // only possible event is the passage of time, so that there is only one run. Therefore `always possible` has
+        // the same meaning.
         translated.pattern = Pattern::AlwaysPossible;
         translated.operands = {property.pattern == Pattern::NoDeadlock ? meaning.can_move : meaning.can_wait};
     }

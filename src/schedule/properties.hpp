@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Translates properties of a loop to properties of an untimed model, for all schedules. LoopMeaning maps the names of
-// the loop to symbols of main. It is used to translate terms of properties, constraints and observer guards. Properties
-// that a model cannot express are added to TransitionSystem::omitted, with the reason.
+// the loop to symbols of main; with this map, terms of properties, constraints and observer guards are translated.
+// Properties that a model cannot express are added to TransitionSystem::omitted, with the reason.
 #pragma once
 
 #include <functional>
@@ -37,7 +37,7 @@ struct LoopMeaning {
     std::vector<Id<Symbol>> observers = {};
     std::vector<std::string> unobserved = {};
     /// `can_move` is true if an edge can be taken (for `no deadlock`); `can_wait` is true if time can pass (for `no
-    /// timelock`). Both are invalid if the model has abstract time or no plant.
+    /// timelock`). `can_move` and `can_wait` are invalid if the model has abstract time or no plant.
     Id<Expr> can_move = {}, can_wait = {};
     bool checked_when_stable = false;  ///< true if every property is evaluated only in quiescent states
 };

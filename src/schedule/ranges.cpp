@@ -37,11 +37,12 @@ bool may_leave_64_bits(const Exprs& exprs, Id<Expr> term, const TypeOf& type_of)
 
 Id<Expr> has_no_value(Exprs& exprs, Id<Expr> term, const TypeOf& type_of) {
     const Op op = exprs[term].op;
-    if (may_leave_64_bits(exprs, term, type_of)) return exprs.constant(true);  // conservatively assumed to be undefined
+    // The term is conservatively assumed to be undefined.
+    if (may_leave_64_bits(exprs, term, type_of)) return exprs.constant(true);
     const std::vector<Id<Expr>> operands = operands_of(exprs, term);
     const auto fault = [&](std::size_t i) { return has_no_value(exprs, operands[i], type_of); };
     if (op == Op::Conditional) return exprs.disjunction(fault(0), either(exprs, operands[0], fault(1), fault(2)));
-    // `and` and `or` stop at the first operand that determines the result.
+    // The operators `and` and `or` do not evaluate operands after the first operand that determines the result.
     Id<Expr> result = exprs.constant(false);
     for (std::size_t i = operands.size(); i-- > 0;) {
         if ((op == Op::And || op == Op::Or) && !is_false(exprs, result)) {

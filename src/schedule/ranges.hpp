@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Conditions under which a value is undefined (division by zero) or outside the range of its variable. Each condition
-// is a term. A condition is a constant if the types of the variables determine its value.
+// is a term. The term is constant if the types of the variables determine its value.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace grafverif::schedule {
 
-/// A total version of a term: a divisor is replaced by 1 if it is 0. The total version is necessary because a model
-/// checker also evaluates terms for values that do not occur in any run.
+/// A total version of a term, in which each divisor with the value 0 is replaced by 1. The total version is necessary,
+/// because a model checker also evaluates terms for values that do not occur in any run.
 struct Total {
     Id<Expr> term = {};
     /// Condition under which the original term is undefined: a divisor is zero, or the types of the variables permit a

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Texts that state what the verdicts on an untimed model imply for the timed closed loop. A text is one paragraph for
-// the header of the model and for reports. The text depends on the approach and the schedule, and distinguishes the
-// types of properties.
+// Texts that state what the verdicts on an untimed model imply for the timed closed loop. Each text is one paragraph
+// for the header of the model and for reports. The text depends on the approach and the schedule, and treats each type
+// of property separately.
 #pragma once
 
 #include <span>

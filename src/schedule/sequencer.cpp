@@ -46,7 +46,7 @@ void Sequencer::run(const PlantInstances& plant, const Signals& signals, Id<Expr
     const auto when = [&](Id<Expr> condition, State then, State otherwise) {
         return exprs.conditional(condition, state(then), state(otherwise));
     };
-    Id<Expr> next = state(Controllers);  // state after PTE
+    Id<Expr> next = state(Controllers);  // sequencer state that follows PTE
     next = exprs.conditional(is(OutputsWritten), state(Test), next);
     next = exprs.conditional(is(Treatment),
                              when(exprs.conjunction(over, exprs.negation(changed)), OutputsWritten, Treatment), next);

@@ -18,8 +18,8 @@ public:
     Signals signals(const PlantInstances& plant);
     /// Returns a condition that is true in states in which properties are evaluated.
     Id<Expr> considered() const;
-    /// Sets the next values of the variables of the sequencer. Requires that `signals` is the result of the function
-    /// `signals`. `controllers_settled` is true if the evolution of the controllers ends with this step.
+    /// Sets the next values of the variables of the sequencer. The argument `signals` must be the result of the
+    /// function `signals`. `controllers_settled` is true if the evolution of the controllers ends with this step.
     void run(const PlantInstances& plant, const Signals& signals, Id<Expr> controllers_settled);
     /// Adds the properties `plant_settles` and `controllers_settle`.
     void add_properties() const;

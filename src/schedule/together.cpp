@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Controllers and automata read variables of each other. Therefore all instances and their symbols are added first. The
-// outputs of the controllers are added before the automata, which read them as variables of the network with the same
-// index. The variables of the automata are the inputs of the controllers. Then the arguments of the instances are set.
-// Elements of the complete system (fairness, `settled`, properties) are added last.
+// outputs of the controllers are added before the automata, because the automata read these outputs as variables of the
+// network with the same index. The variables of the automata are the inputs of the controllers. Then the arguments of
+// the instances are set. Elements of the complete system (fairness, `settled`, properties) are added last.
 #include "schedule/together.hpp"
 
 #include <algorithm>
@@ -21,7 +21,8 @@ namespace {
 
 using namespace schedule;
 
-/// Adds the outputs of the controllers to the shared variables of the loop.
+/// Returns the symbols of the shared variables of the loop that are outputs of controllers; the other entries are
+/// invalid.
 std::vector<Id<Symbol>> outputs(const ControllerInstances& controllers, const ClosedLoop& loop) {
     std::vector<Id<Symbol>> shared(loop.shared.size());
     controllers.share_outputs(loop, shared);
@@ -47,7 +48,8 @@ std::vector<Id<Expr>> wire_moves(const ControllerInstances& controllers, const s
 }
 
 /// Returns the condition that the evolution of the controllers has ended: controllers with stability search are
-/// quiescent, and the other controllers have executed one cycle. The first cycle directly follows the first evolution.
+/// quiescent, and all other controllers have executed one cycle. The first cycle directly follows the first evolution
+/// of the controller.
 Id<Expr> evolution_over(const ControllerInstances& controllers) {
     std::vector<Id<Expr>> over;
     for (std::size_t index = 0; index < controllers.parts.size(); ++index) {

@@ -14,8 +14,8 @@ std::string within(std::string_view owner, std::string_view name) {
     return owner.empty() ? std::string(name) : fmt::format("{}.{}", owner, name);
 }
 
-/// Returns the steps that match the name: those with this complete name or, if there are none, those with this name
-/// after a qualifier. In `name`, the step name follows `before_own`, which is empty, or `X` for a step variable.
+/// Returns the steps with the complete name `name` or, if there are no such steps, the steps with this name after a
+/// qualifier. `before_own` precedes the step name in `name`: `X` if `name` is a step variable, otherwise an empty text.
 std::vector<Id<ChartRun::Step>> matching(const ChartRun& run, std::string_view name, std::string_view before_own) {
     std::vector<Id<ChartRun::Step>> whole, shortened;
     for (const ChartRun::Controller& controller : run.controllers)

@@ -17,8 +17,8 @@ std::vector<Id<ChartRun::Step>> steps_called(const ChartRun& run, std::string_vi
 /// Returns the steps that a step variable may denote: `X3`, `G1.X3`, `press.G1.X3`.
 std::vector<Id<ChartRun::Step>> step_variables_called(const ChartRun& run, std::string_view name);
 
-/// Returns the signals that a name may denote: `N`, `press.N`; for an internal variable of an instance `Gate.X`, or
-/// `Gate_X` as in models.
+/// Returns the signals that a name may denote, such as `N` or `press.N`. An internal variable X of the instance Gate
+/// may be written as `Gate.X`, or as `Gate_X`, its name in generated models.
 std::vector<Id<ChartRun::Signal>> signals_called(const ChartRun& run, std::string_view name);
 
 /// A location of an instance, such as `Gate.open`; invalid if there is no location with this name.
@@ -40,7 +40,7 @@ std::string variable_of(const ChartRun::Step& step);
 /// Returns the reason why a variable of this type cannot have the value, or an empty string if the value is possible.
 std::string range_text(std::string_view name, const Type& type, std::int64_t value);
 
-/// Returns the message that `name` denotes several elements. `all` contains their complete names.
+/// Returns the error message that `name` denotes several elements. `all` contains the complete names of these elements.
 std::string ambiguous_text(std::string_view name, const std::vector<std::string>& all);
 
 }  // namespace grafverif

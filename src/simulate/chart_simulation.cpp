@@ -143,8 +143,8 @@ ChartRun::Act ChartSimulation::act_of(bool reads) const {
     return act;
 }
 
-/// Appends the evolutions of the cycle `made` with their situations, and the outputs that are written at the end of the
-/// cycle.
+/// Appends rows for the evolutions of the PLC cycle `made` with their situations, and for the outputs that are written
+/// at its end.
 void ChartSimulation::add_evolution_rows(const Cycle& made) {
     for (std::size_t k = 0; k < made.fired.size(); ++k) {
         const bool first = !state_.started;
@@ -177,8 +177,8 @@ std::string ChartSimulation::cycle() {
     return problem;
 }
 
-/// Executes cycles until a cycle changes nothing. If each cycle is one evolution, infinite sequences are found by
-/// Brent's cycle detection.
+/// Executes PLC cycles until a cycle changes nothing. If each cycle is one evolution, Brent's cycle detection finds
+/// infinite sequences.
 std::string ChartSimulation::follow() {
     State kept = state_;
     std::vector<std::vector<bool>> since_kept;
@@ -206,7 +206,7 @@ std::string ChartSimulation::settle() {
     return problem;
 }
 
-/// Returns the time until the next delay of a timer has elapsed.
+/// Returns the time until the next delay of a timer elapses, or nothing if no delay is running.
 std::optional<std::int64_t> ChartSimulation::next_end() const {
     std::optional<std::int64_t> soonest;
     const auto offer = [&](std::int64_t left) {
@@ -310,7 +310,7 @@ std::string ChartSimulation::force(std::string_view step, bool active) {
     return make(*trial);
 }
 
-/// Performs a forced change of a step. Requires that the change was accepted.
+/// Executes a change of a step's activity that the user has forced. Requires that by_hand accepts the change.
 void ChartSimulation::put(const WhatIfRun& trial) {
     ManualSituation made = by_hand(chart_, state_.situation, {static_cast<std::uint32_t>(trial.step)}, trial.active);
     if (auto state = with_situation(chart_, state_, std::move(made.situation), inputs_)) state_ = std::move(*state);

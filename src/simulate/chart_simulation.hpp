@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // ChartSimulation: interactive simulation of a single chart according to IEC 60848. Commands set inputs and let time
-// pass. After each command, PLC cycles are executed until a cycle changes nothing. Inputs set by one command change
+// pass. After each command, PLC cycles are executed until a cycle changes nothing. Inputs that one command sets change
 // simultaneously.
 #pragma once
 
@@ -29,11 +29,12 @@ public:
     const ChartRun& recorded_run() const { return recorded_run_; }
     ChartRun with_trace_rows(Detail detail) const;
 
-    /// Returns changes of one input to an adjacent value that do not violate more constraints than the current values.
+    /// Returns the proposed commands. Each of them changes one input to an adjacent value, and does not violate more
+    /// constraints than the current values.
     std::vector<Choice> choices() const;
     std::size_t choice_count() const { return settings().size(); }
     DelayBounds delay_bounds() const;
-    /// Returns the constraints that the current inputs violate. A simulation permits such inputs.
+    /// Returns the constraints that the current inputs violate. A simulation permits inputs that violate constraints.
     std::vector<std::string> violated_constraints() const;
 
     /// The following functions have the same meaning as in LoopSimulation. A command that returns an error may have
@@ -46,8 +47,8 @@ public:
     std::string set(const std::vector<Setting>& settings);
     std::string act(std::string_view instance, std::string_view location);
     std::string force(std::string_view step, bool active);
-    /// Returns the index of the row in which a step was first forced, or nullopt if no step was forced. From this row
-    /// on, the recording is not a run of the chart.
+    /// Returns the index of the row in which the user first forced a step to change, or nullopt if there is no such
+    /// row. From this row on, the recording is not a run of the chart.
     std::optional<std::size_t> what_if_row() const { return what_if_row_; }
     bool back();
     /// Returns the number of commands that can be undone.

@@ -16,7 +16,7 @@ std::string_view without_comment(std::string_view line) {
     return line.substr(0, std::min(line.find('#'), line.find("//")));
 }
 
-/// Splits a line into words separated by spaces; `=` and `,` are separate words.
+/// Splits a line into words, which are separated by spaces. `=` and `,` are always separate words.
 std::vector<std::string> words(std::string_view line) {
     std::vector<std::string> list;
     bool open = false;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Commands of `simulate`, one per line, entered interactively or read from a script:
 //
-//   NAME = VALUE         set an input (or a variable of the plant) to true, false, or a number; for a single chart also
-//                        `NAME = VALUE, NAME = VALUE`, simultaneously
+//   NAME = VALUE         set an input (or a variable of the plant) to true, false, or a number; for a single chart,
+//                        `NAME = VALUE, NAME = VALUE` sets several inputs simultaneously
 //   wait 3s              let 3 s pass (units: ms, s, min); `wait`: let time pass until the next spontaneous or
 //                        possible event
 //   do INSTANCE          take the first enabled edge of the instance;  `do INSTANCE LOCATION`: an edge to LOCATION
@@ -57,8 +57,8 @@ struct ChooseCommand {
 struct BackCommand {
     bool operator==(const BackCommand&) const = default;
 };
-/// An `expect` command. `response_timeout_ms` is its time limit. With the limit 0, the expectation must hold now.
-/// Without a limit, the expectation may become true as long as spontaneous events occur.
+/// A command `expect` or `wait until`. `response_timeout_ms` is its time limit. With the limit 0, the expectation must
+/// hold now. Without a limit, time passes until the expectation holds or no further spontaneous event occurs.
 struct ExpectCommand {
     Expectation claim = {};
     std::optional<std::int64_t> response_timeout_ms = 0;
@@ -88,7 +88,7 @@ struct HelpCommand {
 struct NoCommand {
     bool operator==(const NoCommand&) const = default;
 };
-/// An invalid line, with an error message.
+/// A line that is not a valid command, with an error message.
 struct BadCommand {
     std::string error_text = {};
     bool operator==(const BadCommand&) const = default;

@@ -26,7 +26,7 @@ Words inputs_of(const ChartRun& run) {
     return names;
 }
 
-/// Returns completions inside an expectation. `before` contains the previous words of the expectation.
+/// Returns completions of the last word in an expectation. `before` contains the previous words of the expectation.
 Words in_claim(const ChartRun& run, const Words& before) {
     if (before.size() > 1 && before.back() == "in") return locations_of(run, before[before.size() - 2]);
     const bool begins = before.size() < 2 || before.back() == "until" || before.back() == "and" ||

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Completion of command lines in a simulation.
+// Completes command lines in a simulation.
 #pragma once
 
 #include <string>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Expectations about the current state of a simulation, as used by `expect` and `wait until`:
+// Parses and evaluates expectations about the current state of a simulation, which the commands `expect` and `wait
+// until` use:
 //
 //   X3                    the step 3 is active; `press.X3`, `G1.X3` with several controllers or partial charts
-//   LAMP, not LAMP        an input, output, internal variable or variable of the plant is true, or false
+//   LAMP, not LAMP        an input, output, internal variable or variable of the plant is true (false)
 //   LEVEL >= 3            =, ==, !=, <, <=, >, >=; for Booleans `LAMP = true`
 //   Gate in open          the instance Gate is in its location open
 //
@@ -28,11 +29,11 @@ struct Expectation {
         std::string name = {};
         Relation relation = Relation::Equal;
         std::int64_t value = 0;
-        std::string location = {};  ///< location for In and NotIn
+        std::string location = {};  ///< location, for the operators In and NotIn
         bool operator==(const Condition&) const = default;
     };
     std::vector<Condition> parts = {};  ///< at least one condition; the expectation is their conjunction
-    std::string text = {};              ///< text as entered
+    std::string text = {};              ///< text of the expectation as entered by the user
     bool operator==(const Expectation&) const = default;
 };
 
@@ -44,18 +45,18 @@ std::optional<std::int64_t> value_of(std::string_view text);
 /// Parses an expectation. Returns a message if the text is invalid.
 std::variant<Expectation, std::string> parse_expectation(std::string_view text);
 
-/// Returns the location of the instance with this name after the considered event, or nullopt if there is no such
-/// instance.
+/// Function that returns the location of the instance with the given name after the considered event, or nullopt if
+/// there is no such instance.
 using LocationOf = std::function<std::optional<std::string>(std::string_view instance)>;
 
-/// Returns the first condition that does not hold after event `moment` of `run`, with the actual value (`X3 is not
-/// active`), or an empty string if all conditions hold. After an error, the result is nullopt, and `problem` names the
-/// element that does not exist.
+/// Returns text about the first condition that does not hold after event `moment` of `run`, such as `X3 is not active`,
+/// or an empty string if all conditions hold. After an error, the result is nullopt, and `problem` names the element
+/// that does not exist.
 std::optional<std::string> unmet_part(const Expectation& claim, const ChartRun& run, std::size_t moment,
                                       const LocationOf& location_of, std::string& problem);
 
-/// True if each condition concerns a step. Such an expectation can also be evaluated in transient situations, in which
-/// outputs are not yet written.
+/// True if each condition of the expectation concerns a step. Only such an expectation can also be evaluated in
+/// transient situations, in which outputs are not yet written.
 bool names_only_steps(const Expectation& claim, const ChartRun& run);
 
 }  // namespace grafverif

@@ -25,7 +25,7 @@ bool of_plant(const Network& network, const Fire& fire) {
     return kind == Network::ProcessKind::Plant || kind == Network::ProcessKind::Environment;
 }
 
-/// Returns the first of the `moves` that assigns `value` to the variable.
+/// Returns the first of the `moves` that assigns `value` to the variable `variable`.
 std::optional<Fire> move_to(const Network& network, const NetworkState& state, const std::vector<Fire>& moves,
                             std::size_t variable, std::int64_t value) {
     for (const Fire& fire : moves) {
@@ -50,7 +50,7 @@ public:
         others_moved_ = others_moved_ || of_plant(network_, fire);
         note(state);
     }
-    /// Returns the message for a sequence of moves that has returned to its first state.
+    /// Returns the error message for a sequence of moves within an instant that has returned to its first state.
     std::string endless_text() const {
         const auto moved = std::ranges::find_if(situations_, [](const auto& each) { return each.size() > 1; });
         if (others_moved_ || moved == situations_.end()) return "the moves repeat forever within one instant";
@@ -111,7 +111,8 @@ std::vector<Choice> LoopSimulation::choices() const {
     return list;
 }
 
-/// Returns `do INSTANCE LOCATION` if this command is unambiguous, otherwise the number of the choice.
+/// Returns the command for a choice: `do INSTANCE LOCATION` if this command is unambiguous, otherwise the number of the
+/// choice.
 std::string LoopSimulation::command_of(const std::vector<Fire>& moves, std::size_t choice) const {
     const auto target = [&](const Fire& fire) { return taken_edge(network_, fire).to; };
     const auto same = [&](const Fire& other) {
@@ -172,8 +173,8 @@ std::optional<Fire> LoopSimulation::next_by_itself() const {
         const auto found = std::ranges::find_if(moves, wanted);
         return found == moves.end() ? std::nullopt : std::optional(*found);
     };
-    // If an instance has only one enabled urgent edge, this edge is taken. The timed edges of the instance are
-    // alternatives that need not be taken.
+    // If an instance has only one enabled urgent edge, this edge is taken automatically. Timed edges of the instance
+    // are ignored here, because nothing requires that they are taken now.
     const auto alone = [&](const Fire& fire) {
         const auto& count = taken_edge(network_, fire).urgent ? urgent_options : options;
         return of_plant(network_, fire) && count[fire.process.index] == 1;
@@ -189,7 +190,7 @@ std::optional<Fire> LoopSimulation::next_by_itself() const {
         [&](const Fire& fire) { return alone(fire) && std::ranges::find(hurried, fire.process) != hurried.end(); });
 }
 
-/// Executes the spontaneous moves of this instant. Infinite sequences are found by Brent's cycle detection.
+/// Executes the spontaneous moves of the current instant. Brent's cycle detection finds infinite sequences.
 std::string LoopSimulation::follow() {
     if (detail_ == Detail::Everything) return {};
     NetworkState kept = state_;
@@ -396,7 +397,7 @@ ManualSituation LoopSimulation::forced(const WhatIfRun& trial) const {
                    {static_cast<std::uint32_t>(trial.step)}, trial.active);
 }
 
-/// Performs a forced change of a step. Requires that the change was accepted.
+/// Executes a change of a step's activity that the user has forced. Requires that by_hand accepts the change.
 void LoopSimulation::put(const WhatIfRun& trial) {
     put_situation(network_, state_, {trial.controller.index}, forced(trial).situation);
     what_if_runs_.push_back({run_.moves.size(), trial});

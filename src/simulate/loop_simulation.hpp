@@ -3,12 +3,14 @@
 // inputs and let time pass. The remaining moves are executed automatically, in the following order, until a choice is
 // required:
 //
-//   1  urgent edges of the plant and its environment, if an instance has only one such edge: sensors follow the plant
+//   1  an urgent edge of the plant or its environment, if it is the only enabled urgent edge of its instance; for
+//      example, sensors follow the plant
 //   2  timers
 //   3  PLC cycles
-//   4  edges that an invariant forces now, if an instance has only one such edge: movements continue
+//   4  an edge that an invariant forces now, if it is the only such edge of its instance; for example, movements continue
 //
-// Between two PLC cycles, the user can also force a step to be active or inactive (what-if run).
+// Between two PLC cycles, the user can also force a step to be active or inactive, to explore the consequences (what-if
+// run).
 //
 // With Detail::Everything, no move is automatic: every edge is a choice.
 #pragma once
@@ -48,19 +50,19 @@ public:
     /// Each of the following functions executes one command: the moves of the command, followed by the automatic moves.
     /// The result is an error message or an empty string. After an error, some moves may have been performed.
     std::string settle();
-    /// Makes a choice. Numbers start at 0.
+    /// Executes a choice. `choice` is the index in the result of choices().
     std::string choose(std::size_t choice);
     std::string wait(std::int64_t milliseconds);
     /// Lets time pass until the next spontaneous or possible event.
     std::string wait();
-    /// Makes the first choice after which the input, or the variable of the plant, has the given value.
+    /// Executes the first choice after which the input, or the variable of the plant, has the given value.
     std::string set(const std::vector<Setting>& settings);
     /// Takes the first edge of `instance` to `location`; if `location` is empty, the first enabled edge.
     std::string act(std::string_view instance, std::string_view location);
     /// Forces a step to be active or inactive, independently of the rules.
     std::string force(std::string_view step, bool active);
-    /// Returns the index of the row in which a step was first forced, or nullopt if no step was forced. From this row
-    /// on, the recording is not a run of the network.
+    /// Returns the index of the row in which the user first forced a step to change, or nullopt if there is no such
+    /// row. From this row on, the recording is not a run of the network.
     std::optional<std::size_t> what_if_row() const { return what_if_row_; }
     /// Returns the time until the next spontaneous or possible event, or nullopt if there is no such event.
     std::optional<std::int64_t> soonest_ms() const;
@@ -69,7 +71,7 @@ public:
     std::optional<std::string> location_of(std::string_view instance, std::size_t moment) const;
     /// Returns the name of the variable that is connected to a port of an instance. For an output such as `Main.FLOW`,
     /// the result is the variable that the output writes; for an input, the result is the variable that the input
-    /// reads. The result is empty if there is no such port, or if the port reads a term.
+    /// reads. The result is empty if there is no such port, or if the port is an input that is bound to a term.
     std::string port_variable(std::string_view name) const;
     /// Undoes the last command. Returns false if there is no command to undo.
     bool back();
@@ -77,12 +79,12 @@ public:
     std::size_t commands() const { return commands_.size(); }
 
 private:
-    /// A forced change of a step. `at` is the index of the next move.
+    /// A change of a step that the user has forced. `at` is the index of the next move.
     struct Forced {
         std::size_t at = 0;
         WhatIfRun trial = {};
     };
-    /// The state before a command.
+    /// The state of the simulation before a command, for undo.
     struct Mark {
         std::size_t moves = 0, what_if_runs = 0;
     };

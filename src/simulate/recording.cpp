@@ -29,7 +29,7 @@ std::string Recording::execute(const Command& command, std::string_view line) {
     std::string text(trimmed(line));
     if (const auto* const choice = std::get_if<ChooseCommand>(&command); choice && choice->number > 0) {
         const std::vector<Choice> choices = simulation_.choices();
-        // In a script, the name of a choice is more informative than its number.
+        // The script contains the command of a choice instead of its number, because the command is more informative.
         if (choice->number <= choices.size()) text = choices[choice->number - 1].command;
     }
     std::string problem = simulation_.execute(command);

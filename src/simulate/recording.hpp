@@ -12,7 +12,7 @@ namespace grafverif {
 
 class Recording {
 public:
-    /// The simulation must have been started, and must outlive the recording.
+    /// Requires that Simulation::begin has been called. The simulation must outlive the recording.
     explicit Recording(Simulation& simulation) : simulation_(simulation) {}
 
     /// Executes a command in the same way as Simulation::execute. `line` is the text of the command.

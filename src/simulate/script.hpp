@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A script of commands. It is parsed completely before it is executed.
+// A script of simulation commands, which is parsed completely before it is executed.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,8 @@ struct Script {
         std::uint32_t number = 0;
     };
     std::vector<Line> lines = {};
-    std::vector<std::pair<std::uint32_t, std::string>> error_texts = {};  ///< line numbers with their messages
+    /// Line numbers of invalid lines, with error messages.
+    std::vector<std::pair<std::uint32_t, std::string>> error_texts = {};
 };
 
 Script script_of(std::string_view text);

@@ -10,7 +10,7 @@
 
 namespace grafverif {
 
-/// An input with its new value.
+/// An input, and the value to which a command sets it.
 struct Setting {
     std::string name = {};
     std::int64_t value = 0;
@@ -21,7 +21,8 @@ struct Setting {
 struct DelayBounds {
     std::int64_t unit_ms = 1;
     bool may_pass = false;
-    std::optional<std::int64_t> limit = {};  ///< time until a choice is required; empty if no choice is ever required
+    /// Time until a choice is required; empty if time can pass forever without a choice.
+    std::optional<std::int64_t> limit = {};
     /// Time until the next spontaneous or possible event; empty if there is no such event.
     std::optional<std::int64_t> change = {};
     bool operator==(const DelayBounds&) const = default;

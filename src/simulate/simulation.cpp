@@ -14,8 +14,8 @@ std::string Simulation::begin() {
     return std::visit([](auto& of) { return of.settle(); }, of_);
 }
 
-/// A command may consist of several moves, because the simulation advances time stepwise until an expectation holds.
-/// Only commands with moves can be undone.
+/// Executes a command. A command may consist of several moves, because the simulation advances time stepwise until an
+/// expectation holds. Only commands with moves can be undone.
 std::string Simulation::execute(const Command& command) {
     unmet_ = false;
     if (std::holds_alternative<BackCommand>(command)) return undo();
@@ -71,8 +71,9 @@ std::optional<std::string> Simulation::unmet_at(const Expectation& claim, std::s
 }
 
 /// True if the expectation became true during the instant. An instant can contain several evolutions. Therefore the
-/// situation after the instant does not show a step that is activated and deactivated in the instant. The expectation
-/// must become true in an event: it is not sufficient that the expectation held before the first examined event.
+/// situation after the instant does not show a step that was activated and deactivated during the instant. The
+/// expectation must become true at an event; an expectation that was already true before the first examined event does
+/// not count.
 bool Simulation::met_in_passing(const Expectation& claim) {
     const ChartRun& run = recorded_run();
     const std::int64_t now = run.moments.back().after.time_ms;
@@ -95,11 +96,12 @@ bool Simulation::met_in_passing(const Expectation& claim) {
     return false;
 }
 
-/// Advances time from one spontaneous event to the next, because values do not change between these events.
+/// Checks an expectation. Time advances from one spontaneous event to the next, because values do not change between
+/// these events.
 std::string Simulation::expect(const ExpectCommand& wanted) {
     Expectation claim = wanted.claim;
     for (Expectation::Condition& part :
-         claim.parts) {  // a port denotes its variable, unless a signal or location has this name
+         claim.parts) {  // replaces a port by its variable, unless a signal or location has this name
         const auto* const loop = std::get_if<LoopSimulation>(&of_);
         const bool known = !signals_called(recorded_run(), part.name).empty() ||
                            location_called(recorded_run(), part.name).instance.valid();

@@ -31,25 +31,25 @@ public:
     /// Executes a command. Returns an error message or an empty string. A command that performs no moves is not an
     /// error.
     std::string execute(const Command& command);
-    /// True if the last command was an `expect` or a `wait until` that was not fulfilled. The error message then
-    /// describes the actual state, and the simulation can continue.
+    /// True if the last command was an `expect` or `wait until` whose expectation did not hold. In this case, the error
+    /// message describes the actual state, and the simulation can continue.
     bool unmet() const { return unmet_; }
 
     /// Returns the number of commands that can be undone.
     std::size_t undoable() const { return commands_.size(); }
 
     const ChartRun& recorded_run() const;
-    /// Returns the index of the row in which a step was first forced, or nullopt if no step was forced. From this row
-    /// on, the recording is not a run of the model.
+    /// Returns the index of the row in which the user first forced a step to change, or nullopt if there is no such
+    /// row. From this row on, the recording is not a run of the model.
     std::optional<std::size_t> what_if_row() const;
     std::vector<Choice> choices() const;
     std::size_t choice_count() const;
     DelayBounds delay_bounds() const;
-    /// Returns the constraints of the chart that the current inputs violate. In a loop with a plant, constraints are
-    /// properties to prove, and the result is empty.
+    /// Returns the constraints of the chart that the current inputs violate. For a loop with a plant, the result is
+    /// empty, because constraints are properties to prove.
     std::vector<std::string> violated_constraints() const;
 
-    /// Returns the complete run, recorded as one command, without boundaries between commands.
+    /// Returns the complete run with rows that do not depend on the boundaries between commands.
     ChartRun with_trace_rows(Detail detail) const;
 
 private:
@@ -68,11 +68,11 @@ private:
         std::size_t moves = 0, examined = 0;
     };
     std::vector<Before> commands_ = {};  ///< number of moves and `examined_` before each undoable command
-    std::size_t examined_ = 0;           ///< index of the event after which `wait until` begins to examine the run
+    std::size_t examined_ = 0;           ///< index of the event after which the next `wait until` examines the run
     bool unmet_ = false;
 };
 
-/// Random walk: chooses commands at random, with equal probability for all possible commands. Delays are also random.
+/// Random walk: chooses commands at random. All possible commands have equal probability, and delays are also random.
 class RandomWalk {
 public:
     explicit RandomWalk(std::uint64_t seed) : random_(seed) {}

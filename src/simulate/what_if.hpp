@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What-if step: the user forces a step to be activated or deactivated to see the consequences. Beginning with the row
-// of this change, the recording is not a run of the model and is marked accordingly.
+// What-if run: the user forces a step to be activated or deactivated, to explore the consequences. From the row of this
+// change on, the recording is not a run of the model and is marked accordingly.
 #pragma once
 
 #include <cstddef>

@@ -21,8 +21,8 @@ void Diagnostics::add(Diagnostic diagnostic) {
     const bool error = diagnostic.severity == Severity::Error;
     if (error) ++errors_;
     const auto context = context_ ? std::optional(context_()) : std::nullopt;
-    // True if `known` reports the problem in another copy of a replicated declaration. The contexts of all copies have
-    // the same position, but different texts.
+    // True if `known` reports the same problem in another copy of a replicated declaration. The context is a note that
+    // names the copy: the notes of all copies have the same position, but different texts.
     const auto in_other_copy = [&](const Diagnostic& known) {
         return context && !known.notes.empty() && known.notes.back().where.begin == context->where.begin &&
                known.notes.back().message != context->message;
@@ -66,21 +66,21 @@ constexpr std::size_t indentation = 4;
 constexpr std::size_t least_columns = 20;  // minimum width of source text on narrow terminals
 constexpr std::size_t tab_columns = 8;
 
-/// A source line as it is printed.
+/// A source line in its printed form.
 struct Excerpt {
     std::string text = {};
     std::string marks = {};  ///< spaces and carets; tabs of the line are kept
 };
 
-/// A character of the line.
+/// A character of a source line.
 struct Cell {
     std::size_t at = 0, bytes = 1;  ///< position and length in the line, in bytes
     std::size_t columns = 1;        ///< width on a terminal if the line is not truncated
     bool marked = false;
 };
 
-/// Returns the characters of the line. The mark starts at byte `column` and has `length` bytes. A tab advances to the
-/// next column that is a multiple of eight, as on most terminals.
+/// Returns the characters of the line. The marked part of the line starts at byte `column` and has `length` bytes. A
+/// tab advances to the next column that is a multiple of eight, as on most terminals.
 std::vector<Cell> cells_of(std::string_view line, std::size_t column, std::size_t length) {
     std::vector<Cell> cells;
     for (std::size_t at = 0, reached = indentation; at < line.size(); at += cells.back().bytes) {
@@ -93,7 +93,7 @@ std::vector<Cell> cells_of(std::string_view line, std::size_t column, std::size_
 }
 
 /// Returns the range [from, to) of characters to print. With a `…` on each truncated side, the range fits into
-/// `available` columns. It contains the beginning of the mark and some context before the mark.
+/// `available` columns. The range contains the beginning of the marked part and some text before it.
 std::pair<std::size_t, std::size_t> window(const std::vector<Cell>& cells, std::size_t first_marked,
                                            std::size_t available) {
     std::size_t whole = 0, before = 0;
@@ -109,14 +109,14 @@ std::pair<std::size_t, std::size_t> window(const std::vector<Cell>& cells, std::
     std::size_t used = (from > 0 ? 1 : 0) + 1, to = from;
     while (to < cells.size() && used + cells[to].columns <= available) used += cells[to++].columns;
     if (to + 1 == cells.size() && used - 1 + cells[to].columns <= available)
-        ++to;  // no `…` is needed after the last character
+        ++to;  // the last character is not followed by `…`
     return {from, to};
 }
 
 /// Returns the line, and a second line with at least one caret under the terminal columns of the marked characters. For
-/// a long line, only the part near the mark is measured.
+/// a long line, only the part near the marked text is examined.
 Excerpt excerpt(std::string_view line, std::size_t column, std::size_t length, std::size_t columns) {
-    constexpr std::size_t near = 4096;  // in bytes; more bytes than are printed of any line
+    constexpr std::size_t near = 4096;  // in bytes; larger than the printed part of any line
     std::size_t cut = column > near ? column - near : 0;
     // Advances to the start of a character.
     while (cut < column && continues_character(line[cut])) ++cut;

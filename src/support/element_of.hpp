@@ -8,7 +8,7 @@
 namespace grafverif {
 
 /// Returns the first element of `list` whose `projection` equals `value`. If there is no such element, throws
-/// std::logic_error, which indicates an internal error. Dereferencing an unchecked end() would be undefined behaviour.
+/// std::logic_error, which indicates an internal error.
 template <class List, class Value, class Projection>
 auto& element_of(List& list, const Value& value, Projection projection) {
     const auto found = std::ranges::find(list, value, projection);

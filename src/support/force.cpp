@@ -64,7 +64,7 @@ private:
     }
 
     const std::vector<ForceEdge>& edges_;
-    std::vector<std::vector<std::uint32_t>> edges_of_;  ///< hyperedges of each vertex
+    std::vector<std::vector<std::uint32_t>> edges_of_;  ///< indices of the hyperedges of each vertex
     std::vector<double> place_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Selects the behaviour if the system refuses memory. By default, the allocation fails. Allocations that must not fail
-// use the reserved memory (app/system/watchdog). These are the allocations for an error report, in destructors of
-// nlohmann::json and in constructors of Bison's parsers. These destructors and constructors are noexcept.
+// Selects what happens if the system refuses memory. By default, the allocation fails. Allocations that must not fail
+// use the reserved memory (app/system/watchdog): the allocations for an error report, and allocations in the
+// destructors of nlohmann::json and the constructors of Bison's parsers, which are noexcept.
 #pragma once
 
 #include <exception>

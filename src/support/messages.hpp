@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Texts of all diagnostics, with one function per message, so that they can be reviewed in one place. Messages are in
-// lower case and put names in backticks. A message states the problem first and, after `; `, the remedy.
+// Texts of all diagnostics, with one function per message, so that all texts can be reviewed in one place. Messages are
+// in lower case and put names in backticks. A message states the problem first and, after `; `, the remedy.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ Diagnostic output_twice(std::string_view one, std::string_view other);
 Diagnostic no_closed_loop();
 Diagnostic missing_folder(std::string_view output, std::string_view folder);
 Diagnostic not_in_depfile(std::string_view name, std::string_view reader);
-/// The checked model differs from the file, because a correction of the method is intentionally disabled.
+/// Warning: the checked model differs from the file, because an option disables the correction `cure` of the method.
 Diagnostic ablation_active(std::string_view cure);
 /// Reports that a requested external engine is not installed. `instead` contains the options that select an embedded
 /// engine.
@@ -48,7 +48,8 @@ Diagnostic name_too_long(Span where, std::string_view name, std::size_t limit);
 Diagnostic too_deep(Span where, std::size_t limit);
 Diagnostic empty_replication(Span where, std::string_view index, std::int64_t low, std::int64_t high);
 Diagnostic expansion_too_large(Span where, std::size_t limit);
-/// Note: `values` are those of the index variables of a copy, such as `i = 3`.
+/// A note that names a copy of a replicated declaration. `values` contains the values of its index variables, such as
+/// `i = 3`.
 Diagnostic in_copy(Span where, std::string_view values);
 Diagnostic in_instance(Span where, std::string_view instance, std::string_view values);
 Diagnostic other_spelling(Span where, std::string_view seen, std::string_view meant);
@@ -73,7 +74,7 @@ Diagnostic cannot_include(Span where, std::string_view path, std::string_view wh
 Diagnostic not_yet(Span where, std::string_view what);
 
 // (src/support/messages_types.cpp)
-/// `written` is the duration, as in `3s`.
+/// `written` is the duration as written in the file, such as `3s`.
 Diagnostic duration_below(Span where, std::string_view op, std::string_view written);
 Diagnostic type_mismatch(Span where, std::string_view user, std::string_view expected, std::string_view found);
 Diagnostic missing_unit(Span where, std::string_view what);
@@ -111,7 +112,7 @@ Diagnostic constraint_not_on_inputs(Span where, std::string_view other);
 Diagnostic misplaced_mark(Span where, std::string_view mark, std::string_view place);
 
 // (src/support/messages_test.cpp)
-/// `what` is the element that the block cannot compute according to the equations.
+/// `what` is the construct that Structured Text or C cannot compute exactly.
 Diagnostic not_in_structured_text(Span where, std::string_view what);
 Diagnostic not_in_c(Span where, std::string_view what);
 Diagnostic cannot_run(std::string_view command);
@@ -121,7 +122,7 @@ Diagnostic unknown_column(Span where, std::string_view name, std::string_view ch
 Diagnostic missing_column(Span where, std::string_view kind, std::string_view name);
 Diagnostic repeated_column(Span where, std::string_view name);
 Diagnostic row_length(Span where, std::size_t found, std::size_t wanted);
-/// `problem` is the description of the error in the field.
+/// `problem` describes the error in a field of a test table.
 Diagnostic bad_field(Span where, std::string_view problem);
 Diagnostic misplaced_wait(Span where, bool first);
 Diagnostic misplaced_activation(Span where);
@@ -167,7 +168,7 @@ Diagnostic range_mismatch(Span where, std::string_view name, std::int64_t low, s
 Diagnostic no_controller(Span where, std::string_view loop);
 Diagnostic clock_in_property(Span where, std::string_view clock);
 Diagnostic place_outside_property(Span where);
-/// `waited` contains the times of all time conditions with the same observed term in charts of the loop.
+/// `waited` contains the durations of all time conditions in charts of the loop that observe the same term.
 Diagnostic unknown_time(Span where, const std::vector<std::string>& waited);
 Diagnostic ambiguous_time(Span where, std::string_view first, std::string_view second);
 /// `language` is, for example, `CTL`; `what` is the error in the text at `where`.
@@ -215,8 +216,8 @@ Diagnostic unknown_finding(Span where, std::string_view code);
 // -- derive ----------------------------------------------------------------------------------------------------------
 Diagnostic enclosing_cycle(Span where, std::string_view chart);
 Diagnostic forcing_cycle(Span where, std::string_view chart);
-/// Both the expansion and the partial chart `with` are forced, although a forcing order for `with` also forces the
-/// expansions of its macro-steps.
+/// The chart forces both an expansion and the partial chart `with` that contains its macro-step, although a forcing
+/// order for `with` also forces this expansion.
 Diagnostic forced_beside(Span where, std::string_view expansion, std::string_view with, Span first);
 Diagnostic forced_twice(Span where, std::string_view chart, Span first);
 Diagnostic edge_under_time(Span where);
@@ -260,7 +261,8 @@ Diagnostic too_many_states(Span where, std::uint64_t limit);
 Diagnostic automaton_too_large(Span where);
 /// `by_user` is true if the user stopped the run, false if the time limit was reached.
 Diagnostic stopped(Span where, bool by_user);
-// Reasons for an early end that do not depend on the input. With each of these messages, the exit code is 3.
+// Messages about a run that ended early for a reason outside the model. After each of these messages, the program ends
+// with exit code 3.
 Diagnostic timed_out(std::uint64_t milliseconds);
 Diagnostic interrupted();
 Diagnostic out_of_memory(std::optional<std::uint64_t> allowed);
@@ -269,8 +271,8 @@ Diagnostic too_many_inputs(Span where, std::string_view chart, std::size_t bits,
 
 // -- schedule and emit ------------------------------------------------------------------------------------------------
 // (src/support/messages_loop.cpp)
-/// `decided` is true if the contradiction is proved; if it is false, no inputs that satisfy the constraints were found
-/// within the memory limit.
+/// `decided` is true if the contradiction is proved. If `decided` is false, the search for inputs that satisfy the
+/// constraints reached the memory limit.
 Diagnostic constraints_contradict(Span where, std::string_view constraint, bool decided);
 Diagnostic too_wide(Span where, std::string_view variable, std::int64_t values, std::int64_t most);
 

@@ -11,7 +11,7 @@
 
 namespace grafverif::messages {
 
-/// `nearest` is the most similar known name; if it is empty, all known names are listed.
+/// `nearest` is the most similar known name. If `nearest` is empty, the message lists all known names.
 Diagnostic no_such_choice(std::string_view kind, std::string_view name, std::span<const std::string> known,
                           std::string_view nearest);
 
@@ -22,7 +22,7 @@ Diagnostic other_format(std::string_view path, std::string_view named, std::stri
 /// `--set` names a constant that the closed loop does not have. `nearest` is the most similar name.
 Diagnostic no_such_constant(Span loop, std::string_view loop_name, std::string_view name, std::string_view nearest);
 
-/// `--over` gives a constant values that it cannot have. `problem` and `remedy` are the two parts of the message.
+/// `--over` lists values that the constant cannot have. `problem` and `remedy` are the two parts of the message.
 Diagnostic bad_values(Span where, std::string_view problem, std::string_view remedy);
 
 /// Only one of two compared charts, `owner` (in backticks), has an input or output (`kind`) with the name `name`.

@@ -15,7 +15,8 @@ Diagnostic unknown(Span where, std::string_view kind, std::string_view name, std
     message += suggestion.empty() ? "; declare it or correct the name"
                                   : fmt::format("; did you mean `{}`?", clipped(suggestion));
     Diagnostic diagnostic = error(code, where, std::move(message));
-    // `where` excludes the indices of the name, so a replacement could damage them; such a name gets no fix.
+    // For a name with indices, `where` does not cover the indices, so that a replacement could be wrong. Therefore the
+    // message proposes no fix.
     if (suggestion.empty() || name.find('[') != std::string_view::npos) return diagnostic;
     return with_fix(std::move(diagnostic), last_of(where, name.size()), suggestion);
 }

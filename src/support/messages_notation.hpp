@@ -12,16 +12,17 @@
 namespace grafverif::messages {
 
 /// `heading` is the position of the beginning of the block, and `text` is its text, such as `grafcet press`. `next` is
-/// the token that is not allowed in the block; it is invalid at the end of the text. `place` is the position at which
-/// `}` can be inserted; it may be invalid.
+/// the position of the token that is not allowed in the block, or invalid at the end of the text. `place` is the
+/// position at which `}` can be inserted, or invalid if there is no such position.
 Diagnostic missing_brace(Span heading, std::string_view text, Span next, Span place);
 Diagnostic expected_before_sentence(Span where);
 Diagnostic expected_after_colon(Span where);
 Diagnostic other_pattern(Span where, std::string_view seen, std::string_view meant);
 Diagnostic other_keyword(Span where, std::string_view seen, std::string_view meant);
-/// Names such as `Fill.T` and `Fill.X` of IEC 61131-3.
+/// A name in the notation of IEC 61131-3, such as `Fill.T` or `Fill.X`.
 Diagnostic step_member(Span where, std::string_view step_variable, std::string_view member);
-// Text whose display in editors and terminals is misleading. `more` is the number of further occurrences in the file.
+// Characters that make editors and terminals display misleading text. `more` is the number of further occurrences in
+// the file.
 Diagnostic line_separator(Span where, std::uint32_t code, std::size_t more);
 Diagnostic bidi_control(Span where, std::uint32_t code, std::size_t more);
 Diagnostic control_character(Span where, std::uint32_t code, std::size_t more);

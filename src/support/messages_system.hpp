@@ -8,7 +8,8 @@
 
 namespace grafverif::messages {
 
-/// The run ended early, because the system refused a thread or a process. As for out_of_memory, the exit code is 3.
+/// The run ended early, because the system refused to create a thread or a process. The exit code is 3, as for the
+/// message out_of_memory.
 Diagnostic threads_refused();
 Diagnostic incomplete_utf16(Span where);
 /// A warning: `--former` is deprecated; use `--name`.

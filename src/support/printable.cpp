@@ -17,8 +17,8 @@ struct CodeRange {
 constexpr std::array directions = {CodeRange{0x061C, 0x061C}, CodeRange{0x200E, 0x200F}, CodeRange{0x2028, 0x202E},
                                    CodeRange{0x2066, 0x2069}};
 
-/// Characters of width 0: the most common combining marks and joiners. After a character of width 0 that is not in this
-/// list, a caret may be one column off.
+/// Characters of width 0: the most common combining marks and joiners. The list is incomplete: after a missing
+/// character, a caret may be one column off.
 constexpr std::array without_width = {CodeRange{0x0300, 0x036F}, CodeRange{0x200B, 0x200D}, CodeRange{0x20D0, 0x20FF},
                                       CodeRange{0x2060, 0x2064}, CodeRange{0xFE00, 0xFE0F}, CodeRange{0xFE20, 0xFE2F},
                                       CodeRange{0xFEFF, 0xFEFF}};

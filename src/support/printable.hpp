@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Makes external text safe to print on a terminal: names, property texts, file names, output of other programs.
-// Characters that a terminal interprets instead of displaying them are replaced by `?`, which is one column wide. These
-// characters are control characters (they begin escape sequences), directional formatting, line and paragraph
+// Characters that a terminal interprets instead of displaying them are replaced by `?`, which is one column wide.
+// Replaced are control characters (which begin escape sequences), directional formatting, line and paragraph
 // separators, and each byte of invalid UTF-8. All output for users passes through these functions; json_text and
 // xml_text are used for output to programs.
 #pragma once
@@ -33,8 +33,8 @@ std::size_t columns_of(std::string_view text);
 /// Returns the number of bytes of the complete characters in the first `columns` columns of `text`.
 std::size_t bytes_within(std::string_view text, std::size_t columns);
 
-/// Returns `text` if it fits into `columns` columns; otherwise the beginning of `text` and `…`. Requires `columns` >=
-/// 1.
+/// Returns `text` if it fits into `columns` columns; otherwise the beginning of `text`, followed by `…`. Requires
+/// `columns` >= 1.
 std::string cut_to(std::string_view text, std::size_t columns);
 
 /// Returns `text`, padded with trailing spaces to `columns` columns.

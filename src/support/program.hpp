@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The result of running another program. Only `app` runs programs; other modules receive a function for this purpose.
+// The result of running an external program. Only the module `app` runs programs; other modules receive a RunProgram
+// function.
 #pragma once
 
 #include <functional>

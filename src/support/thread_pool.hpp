@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Thread pool: executes one parallel task at a time. The thread that owns the pool also performs a part of the task.
+// Thread pool: executes one parallel task at a time. The thread that owns the pool also performs part of the task.
 //
 // The threads start with the first task. The threads have small stacks and block all signals. If the system provides
-// fewer threads than requested, the available threads perform the complete work.
+// fewer threads than requested, the available threads perform all of the work.
 #pragma once
 
 #include <pthread.h>

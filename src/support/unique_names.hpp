@@ -14,7 +14,7 @@ class UniqueNames {
 public:
     void reserve(std::size_t names) { taken_.reserve(names); }
 
-    /// Marks `name` as used.
+    /// Marks `name` as used, so that `fresh` does not return it.
     void take(std::string name) { taken_.insert(std::move(name)); }
 
     /// Returns `preferred` if it is unused, otherwise `preferred_2`, `preferred_3`, and so on.

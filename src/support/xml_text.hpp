@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// XML escaping and unescaping. Markup is escaped. Characters that XML 1.0 forbids (control characters, invalid UTF-8)
-// are replaced by U+FFFD, so that a document is well-formed for every input.
+// Escapes and unescapes text for XML. Markup characters are escaped. Characters that XML 1.0 forbids (control
+// characters, invalid UTF-8) are replaced by U+FFFD, so that a document is well-formed for every input.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,8 @@ std::string attribute_xml(std::string_view text);
 void comment_xml(std::string_view text, std::string& xml);
 
 /// Resolves references to characters and to the five predefined entities in the XML text `written`. Other references
-/// are kept. If `written` starts at `begin`, `origins` receives the source position of each resulting byte and of the
-/// end.
+/// are kept. `begin` is the source position of `written`. `origins` receives the source position of each resulting byte
+/// and of the end.
 std::string unescape_xml(std::string_view written, std::uint32_t begin, std::vector<std::uint32_t>& origins);
 std::string unescape_xml(std::string_view written);
 

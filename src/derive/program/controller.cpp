@@ -19,8 +19,8 @@ class ControllerEquations {
 public:
     explicit ControllerEquations(Scan scan) : scan_(std::move(scan)) {}
 
-    /// True if the value of every operation fits into 64 bits. Then, a term can be evaluated under any condition,
-    /// because its evaluation cannot overflow.
+    /// True if the value of every operation fits into 64 bits. In this case, a term can be evaluated under any
+    /// condition, because its evaluation cannot overflow.
     bool is_total() const {
         const auto type_of = [&](const Expr& leaf) {
             return equations().variables[{static_cast<std::uint32_t>(leaf.value)}].type;
@@ -28,7 +28,7 @@ public:
         return std::ranges::none_of(intervals(equations().exprs, type_of), is_clipped);
     }
 
-    /// Returns the equations of the controller. `first` is the scan at power-on.
+    /// Returns the equations of the controller. `first` contains the terms of the scan at power-on.
     Equations build(const Scan& first, const ProgramController& controller) && {
         TermCopier copy(first.equations.exprs, exprs(),
                         [this](const Expr& leaf) { return exprs().leaf(Op::Variable, variable_of(leaf)); });
@@ -37,8 +37,8 @@ public:
         for (const Scan::Event& fault : scan_.faults) equations().conflicts.push_back({fault.condition, fault.origin});
         for (const Scan::Event& fault : first.faults)
             equations().conflicts.push_back({exprs().constant(false), fault.origin, copy(fault.condition)});
-        // Without a cycle time, scans follow until `stable` is true. The number of these scans depends on all
-        // variables, so that no equation can be removed.
+        // Without a cycle time, the controller executes scans until `stable` is true. The number of these scans depends
+        // on all variables, so that no equation can be removed.
         if (controller.cycle && !controller.reads_stable) omit_unread(controller.observed);
         separate_steps();
         hide(controller.observed);
@@ -81,8 +81,8 @@ private:
         }
     }
 
-    /// Hides variables that are not `observed` from the results: variables of timers, because elapsed times change in
-    /// every scan, and variables of charts with generated names.
+    /// Hides unobserved variables of timers and charts from traces: variables of timers, because elapsed times change
+    /// in every scan, and variables of charts, because their names are generated.
     void hide(const std::vector<Id<Equations::Variable>>& observed) {
         std::vector<std::size_t> cells;
         for (const ProgramTimer& timer : scan_.layout.timers) cells.insert(cells.end(), {timer.running, timer.elapsed});
@@ -97,7 +97,7 @@ private:
         }
     }
 
-    /// Converts the stored variables of steps to step activities, so that results show the situation.
+    /// Converts the stored variables of steps to step activities, so that traces show the situation.
     void separate_steps() {
         for (const std::size_t cell : step_cells(scan_.layout)) {
             const Id<Equations::Variable> id = scan_.variables[cell];

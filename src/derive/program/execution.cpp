@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Executes statements symbolically. `returned_` and `exited_` are memory cells, so that their values are merged after
-// branches in the same way as other values. After a statement that may have set one of these cells, the remaining
-// statements of the block are executed as a branch.
+// Executes statements symbolically. The flags for RETURN and EXIT (`returned_`, `exited_`) are memory cells, so that
+// their values are merged after branches in the same way as other values. After a statement that may have set one of
+// these cells, the remaining statements of the block are executed as a branch.
 #include "derive/program/execution.hpp"
 
 #include <algorithm>
@@ -62,8 +62,8 @@ void SymbolicExecution::write(std::uint32_t cell, Id<Expr> value) {
     memory_[cell] = value;
 }
 
-/// Restores the cells that were written after position `mark` of the journal, and returns the discarded values. Skips
-/// the cells of functions that have returned, because these cells no longer exist.
+/// Restores the values that cells had at position `mark` of the journal, and returns the discarded values. Skips the
+/// cells of functions that have returned, because these cells no longer exist.
 std::vector<SymbolicExecution::Changed> SymbolicExecution::undo(std::size_t mark) {
     std::vector<Changed> changed;
     for (std::size_t i = mark; i < journal_.size(); ++i)
@@ -113,7 +113,7 @@ void SymbolicExecution::event(std::vector<Scan::Event>& events, Id<Expr> conditi
     if (!is_false(exprs_, reached)) events.push_back({reached, origin, fault});
 }
 
-/// Records an execution, which occurs if the current path is taken and `condition` is true.
+/// Records the execution of a statement, which occurs if the current path is taken and `condition` is true.
 void SymbolicExecution::note(Scan::Execution execution, Id<Expr> condition) {
     if (executions_ == nullptr) return;
     std::vector<Id<Expr>> all = path_;
@@ -223,12 +223,12 @@ void SymbolicExecution::loop(const Program::Statement& statement, Id<Expr> last,
     write(exited_, exprs_.constant(false));
 }
 
-/// Executes the remaining iterations. While the condition of the loop is constant, this call executes the iterations;
-/// otherwise, the further iterations are executed in a branch.
+/// Executes the remaining iterations of a loop. While the loop condition is constant, the iterations are executed
+/// directly. If the condition is not constant, all further iterations are executed in a branch.
 void SymbolicExecution::iterate(const Program::Statement& statement, Id<Expr> last, std::uint32_t frame) {
     const Program::Body& body = statement.arms.front().body;
     const std::uint32_t variable = statement.kind == Kind::For ? address(statement.place, frame) : 0;
-    const auto rest = [&] {  // prepares the next iteration if the body executed neither EXIT nor RETURN
+    const auto rest = [&] {  // executes the further iterations if the body has executed neither EXIT nor RETURN
         write(exited_, exprs_.constant(false));
         write(returned_, exprs_.constant(false));
         if (statement.kind == Kind::For)
@@ -248,7 +248,7 @@ void SymbolicExecution::iterate(const Program::Statement& statement, Id<Expr> la
             condition = exprs_.apply(statement.step > 0 ? Op::LessEqual : Op::GreaterEqual, memory_[variable], last);
         if (is_false(exprs_, condition)) return;
         bool ends = false;
-        const auto once = [&] {  // returns true if the next iteration follows unconditionally
+        const auto once = [&] {  // executes one iteration; returns true if the next iteration follows unconditionally
             execute(body, 0, frame);
             if (failed_) return false;
             Id<Expr> continues = alive();

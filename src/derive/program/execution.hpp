@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Symbolic execution of statements on memory cells that contain terms. A journal records all writes. After the
-// execution of the first branch of a statement, its writes are undone, and the second branch is executed. After both
+// SymbolicExecution: executes statements on memory cells that contain terms. A journal records all writes. After the
+// first branch of a statement has been executed, its writes are undone, and the second branch is executed. After both
 // branches, the value of each cell that a branch has written is a conditional term.
 #pragma once
 
@@ -15,13 +15,13 @@ class SymbolicExecution {
 public:
     SymbolicExecution(const Program& program, const ProgramLayout& layout, Exprs& exprs, Diagnostics& diagnostics);
 
-    /// Returns the terms of the memory cells. The last cells do not belong to variables of the program; the symbolic
-    /// execution uses them internally.
+    /// Returns the terms of the memory cells. The last cells do not belong to variables of the program, but are used
+    /// internally by the symbolic execution.
     std::vector<Id<Expr>>& memory() { return memory_; }
     void run_main();
     Id<Expr> value(Id<Program::Node> node, std::uint32_t frame);
     bool failed() const { return failed_; }
-    /// Adds the executions of statements to `executions`, which must outlive the object.
+    /// From now on, adds the executions of statements to `executions`, which must outlive the object.
     void record(std::vector<Scan::Execution>& executions) { executions_ = &executions; }
 
     std::vector<Scan::Event> faults = {}, overflows = {};
@@ -65,8 +65,7 @@ private:
     std::uint32_t address(const Program::Place& place, std::uint32_t frame) const {
         return place.global ? place.offset : frame + place.offset;
     }
-    /// The cell of an array element for certain values of the indices, and the condition that the indices have these
-    /// values.
+    /// The cell of an array element, and the condition that the indices select this element.
     struct Element {
         std::uint32_t cell = 0;
         Id<Expr> condition = {};

@@ -64,7 +64,7 @@ private:
     }
 
     void advance_timers(std::vector<Id<Expr>>& memory) {
-        if (scan_.layout.longest == 0) return;  // the program has no timer with an elapsed time
+        if (scan_.layout.longest == 0) return;  // no timer of the program measures an elapsed time
         Id<Expr> step;
         if (program_.interval_ms) {
             step = exprs().integer(*program_.interval_ms);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Evaluates expressions. Values outside the range of a type wrap around. The operation and the ranges of its operands
-// determine if one addition or subtraction of the number of values of the type is sufficient.
+// Evaluates expressions. Values outside the range of a type wrap around. A value wraps around by adding or subtracting
+// the number of values of its type. The operation and the ranges of its operands determine if adding or subtracting
+// once is sufficient.
 #include <algorithm>
 #include <bit>
 
@@ -101,10 +102,10 @@ Id<Expr> SymbolicExecution::bitwise(const Program::Node& node, const std::vector
     const std::int64_t high = program_.types[node.type].high;
     const auto width = static_cast<std::int64_t>(std::popcount(static_cast<std::uint64_t>(high)));
     const auto power = [&](std::int64_t places) { return exprs_.integer(std::int64_t{1} << places); };
-    const auto lower = [&](std::int64_t places) {  // number that consists of the lowest bits
+    const auto lower = [&](std::int64_t places) {  // returns the number that consists of the lowest `places` bits
         return places == width ? values[0] : exprs_.apply(Op::Modulo, values[0], power(places));
     };
-    const auto upper = [&](std::int64_t places) {  // number without the lowest bits
+    const auto upper = [&](std::int64_t places) {  // returns the number without its lowest `places` bits
         return places == 0 ? values[0] : exprs_.apply(Op::Divide, values[0], power(places));
     };
     switch (node.op) {
@@ -232,7 +233,7 @@ Id<Expr> SymbolicExecution::in_range(const Program::Node& node, Id<Expr> value) 
     const Id<Expr> below = only_up ? exprs_.constant(false) : exprs_.apply(Op::Less, value, low);
     if ((only_up && type.low == 0) || (is_false(exprs_, above) && is_false(exprs_, below))) return value;
     event(time ? faults : overflows, exprs_.disjunction(above, below), node.origin, ProgramFault::Range);
-    if (only_up) {  // only the negated minimum is outside of the range
+    if (only_up) {  // only the negated minimum of the type is outside of the range
         const std::int64_t count = type.high - type.low + 1;
         return exprs_.conditional(above, exprs_.apply(Op::Minus, value, exprs_.integer(count)), value);
     }

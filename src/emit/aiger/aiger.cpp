@@ -42,7 +42,7 @@ public:
     }
 
 private:
-    /// Marks all nodes on which the properties depend, including dependencies through latches.
+    /// Marks all nodes on which the selected properties depend, directly or through latches.
     void close() {
         std::vector<Literal> roots;
         for (const AigerProperty& question : questions_) {
@@ -60,7 +60,7 @@ private:
                 roots.push_back(circuit_.latches[i].next);
             }
         }
-        // Keeps one input, because a witness without inputs does not determine the length of the run.
+        // At least one input is kept, because a witness without inputs does not determine the length of the run.
         const bool some = std::ranges::any_of(circuit_.inputs, [&](const auto& input) { return needed_[input.node]; });
         if (!some && !circuit_.inputs.empty()) needed_[circuit_.inputs.front().node] = true;
     }
@@ -143,7 +143,7 @@ private:
     const std::vector<AigerProperty>& questions_;
     Form form_;
     AigerText written_ = {};
-    std::vector<bool> needed_ = {};  ///< true if the node is needed
+    std::vector<bool> needed_ = {};  ///< for each node of the circuit: true if the file contains the node
     std::vector<std::uint32_t> gates_ = {};
     std::size_t last_ = 0;
 };

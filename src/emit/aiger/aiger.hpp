@@ -34,8 +34,9 @@ struct AigerText {
 enum class Extent { Whole, Cone };
 AigerText written(const Circuit& circuit, const std::vector<AigerProperty>& questions, Form form, Extent extent);
 
-/// Returns the properties for a model checker, one per target. If a property may be undefined or a variable may leave
-/// its range, the result also contains a property for the reachability of this fault.
+/// Returns the properties for a model checker, one per target of the circuit. If the terms of a property may be
+/// undefined, or a variable may leave its range, the result also contains a property for the reachability of this
+/// fault.
 std::vector<AigerProperty> queries_of(const TransitionSystem& system, const FlatSystem& flat, const Circuit& circuit);
 
 /// Returns a JSON map from the inputs, latches and properties of the file to the elements of the model. The map also

@@ -18,14 +18,15 @@ namespace grafverif::btor2 {
 
 namespace {
 
-using Line = std::uint32_t;  ///< line number; 0 means no line
+using Line = std::uint32_t;  ///< number of a line in the output; 0 means no line
 using Variable = FlatSystem::Variable;
 
 /// A bit vector with the condition under which its value is undefined.
 struct Word {
     bool boolean = true;
     std::uint32_t width = 1;
-    Line line = 0, undefined = 0;  ///< condition under which the value is undefined; 0 if it is always defined
+    /// `line`: the value. `undefined`: condition under which the value is undefined; 0 if it is always defined.
+    Line line = 0, undefined = 0;
 };
 
 std::uint32_t width_of(std::int64_t value) {
@@ -41,7 +42,7 @@ std::string one_word(std::string name) {
     return name;
 }
 
-/// Output lines, hash-consed.
+/// The lines of the output. Equal lines are written only once (hash consing).
 class Lines {
 public:
     Line sort(std::uint32_t width) { return line_of("sort bitvec " + std::to_string(width)); }
@@ -54,8 +55,8 @@ public:
         for (const Line operand : operands) line += " " + std::to_string(operand);
         return line_of(line + rest);
     }
-    /// Adds a line without searching for an equal line: the line is not a value, or must not be shared by several
-    /// values.
+    /// Adds a line without searching for an equal line. Used for lines that are not values, and for lines that several
+    /// values must not share.
     Line fresh(const std::string& line) {
         text_ += std::to_string(++last_) + " " + line + "\n";
         return last_;
@@ -95,7 +96,8 @@ public:
         return known_.at(root.index);
     }
 
-    // -- Booleans; `undefined` is false if it is line 0 --------------------------------------------------------------
+    // -- Booleans: `undefined` 0 means that the value is always defined
+    // --------------------------------------------------------------
 
     Line truth(bool value) { return lines_.constant(1, value ? 1 : 0); }
     Line negation(Line a) { return lines_.apply("not", 1, {a}); }
@@ -202,7 +204,7 @@ private:
                 either(left.undefined, right.undefined)};
     }
 
-    /// Marks results outside 64 bits as undefined.
+    /// Returns the word with the condition that a result outside 64 bits is undefined.
     Word cut(Word word) {
         constexpr std::uint32_t most = 64;
         if (word.width <= most) return word;

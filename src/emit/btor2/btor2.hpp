@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Writes a TransitionSystem as BTOR2 (Niemetz, Preiner, Wolf and Biere 2018: "BTOR2, BtorMC and Boolector 3.0"), a
-// word-level format. A Boolean is a bit vector of one bit, and an integer is a bit vector in two's complement. Terms
-// are as wide as necessary, so that no overflow occurs.
+// word-level format. A Boolean is a bit vector of one bit, and an integer is a bit vector in two's complement. Each
+// term has as many bits as necessary, so that no overflow occurs.
 //
-// As in circuit/circuit.hpp, the state `broken` represents violations of invariants, ranges and constraints on steps. A
-// state property is a `bad` line, and the state `started` selects initial values that are not constant. Properties of
-// runs are omitted; the AIGER output contains them.
+// As in circuit/circuit.hpp, the state variable `broken` is true after a violation of an invariant, a range or a
+// constraint on steps. A state property is a `bad` line. The state variable `started` selects the initial values that
+// are not constant. Properties of runs are omitted; the AIGER output contains them.
 #pragma once
 
 #include <string>

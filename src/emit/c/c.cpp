@@ -50,8 +50,8 @@ bool has_timer(const Code& code, bool off_delay) {
     return std::ranges::any_of(code.timers, [&](const Timer& timer) { return timer.off_delay == off_delay; });
 }
 
-/// Prints the files. No name conflicts with a member of the structs: legal names do not end with `_`, whereas the only
-/// macro does, and the type of the timers is a struct tag, which has a separate name space.
+/// Prints the files. No name conflicts with a member of the structs. The only macro has a name that ends with `_`;
+/// legal names do not end with `_`. The type of the timers is a struct tag, and C keeps tags in a separate name space.
 class Writer : controller::IndentedText {
 public:
     explicit Writer(const Code& code) : code_(code) {

@@ -69,8 +69,8 @@ std::string_view word(Pattern pattern) {
     unreachable();
 }
 
-/// Writes a network. A term that is used several times, or deep, is written once, as a definition `$N`, in the line
-/// before its first use.
+/// Writes a network. A term that is used several times, or whose depth is large, is written once, as a definition `$N`,
+/// in the line before its first use.
 class Writer {
 public:
     explicit Writer(const Network& flat) : network_(flat), uses_(flat.exprs.size()), defined_(flat.exprs.size()) {

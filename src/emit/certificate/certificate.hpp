@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Texts of a certificate: the network with the caps of its clocks, states and runs, as `grafverif-certify` reads them
-// (src/certify, docs/how-to/certificates.md).
+// Writes the texts of a certificate in the format that `grafverif-certify` reads: the network with the caps of its
+// clocks, states and runs (src/certify, docs/how-to/certificates.md).
 #pragma once
 
 #include <cstdint>
@@ -25,15 +25,15 @@ std::string checksum(std::string_view text);
 /// Returns a name without characters that separate words. Different names remain different.
 std::string word_of(std::string_view name);
 
-/// True if the depth of a term exceeds `most_depth`.
+/// True if the depth of some term of the network exceeds `most_depth`.
 bool is_too_deep(const Network& flat);
 
-/// Returns the text of an expanded network without its properties, and with `properties`, whose patterns must be those
-/// of the timed engine. A property `reachable all steps` must be given as one `reachable` for each step. The text also
-/// contains the caps of the clocks.
+/// Returns the text of an expanded network, in which `properties` replace the properties of the network. The patterns
+/// of `properties` must be patterns that the timed engine supports. A property `reachable all steps` must be given as
+/// one `reachable` for each step. The text also contains the caps of the clocks.
 std::string network_text(const Network& flat, const std::vector<Property>& properties);
 
-/// Appends the line of a state. Clocks must have been replaced by their caps.
+/// Appends the line of a state. Requires that clock values above the caps have been replaced by the caps.
 void write_state(const Network& flat, const NetworkState& state, std::string& text);
 
 /// Returns the length of a run in units of time.

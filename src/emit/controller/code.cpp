@@ -81,7 +81,7 @@ private:
 
     struct Times {
         Id<Timer> on = {}, off = {};  ///< invalid if there is no rise time or fall time
-        Id<Cell> lasted = {};         ///< condition that the rise time has elapsed; valid if both timers exist
+        Id<Cell> lasted = {};         ///< condition that the rise time has elapsed; valid only if both timers exist
     };
 
     void add_timer(std::size_t k) {
@@ -242,8 +242,8 @@ private:
         change(&Fault::condition, &Kept::next, "steps and stored values");
     }
 
-    /// Adds the assignments of the faults and values after the evolution. The member pointers select the terms, and
-    /// `title` precedes the values.
+    /// Adds the assignments of faults and stored values after an evolution. The member pointers select the terms that
+    /// are assigned. `title` is the comment before the stored values.
     void change(Id<Expr> Fault::*condition, Id<Expr> Kept::*value, std::string_view title) {
         for (const Fault& fault : faults(equations_))
             if ((fault.*condition).valid() && !is_false(exprs(), fault.*condition))
@@ -259,8 +259,8 @@ private:
             if (each.after) assign(Id<Cell>{each.variable.index}, each.*value);
     }
 
-    /// Adds simultaneous assignments: if a later value reads a target, the new value of the target is first stored in a
-    /// temporary cell.
+    /// Adds simultaneous assignments. If the value of a later assignment reads a target, the new value of this target
+    /// is first stored in a temporary cell.
     void assign_at_once(std::vector<Assignment> updates) {
         std::erase_if(updates, [&](const Assignment& update) {
             const Expr& value = equations_.exprs[update.value];

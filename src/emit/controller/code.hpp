@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Code of a controller: statements that compute one PLC cycle of a chart. Structured Text and C are printed from this
-// code.
+// Code of a controller: statements that compute one PLC cycle of a chart, from which Structured Text and C are printed.
 //
 //   every-cycle mode:                         with stability search:
 //     sample the timers                         sample the timers
@@ -15,8 +14,8 @@
 // New values are computed from old values. If an assignment would change an operand of a later assignment, the new
 // value is stored in a temporary cell (N_...).
 //
-// The printer of a target language prints the statements literally. A target language must provide Booleans, integers
-// of 16 and 32 bits, and two timers:
+// The printer of a target language translates the statements one by one. A target language must provide Booleans,
+// integers of 16 and 32 bits, and two timers:
 //   TON   true once its input has been true for the preset time
 //   TOF   true while its input is true, and for the preset time after its input has become false
 #pragma once
@@ -60,15 +59,15 @@ struct Timer {
 
 struct Statement {
     enum class Kind {
-        Comment,  ///< `comment`
-        Assign,   ///< target := value
+        Comment,  ///< prints the text in the member `comment`
+        Assign,   ///< assigns `value` to `target`
         Cases,    ///< target := value, where the value is a Conditional; one branch for each case of the Conditional
-        Guard,    ///< if condition then target := value
-        Stop,     ///< if condition then the call ends
-        Call,     ///< executes `timer`
+        Guard,    ///< assigns `value` to `target` if `condition` is true
+        Stop,     ///< ends the call if `condition` is true
+        Call,     ///< executes the timer `timer`
         If,       ///< begins a block, which Else or EndIf ends
         While,    ///< begins a block, which EndWhile ends
-        Else,     ///< ends the block of an If, and begins the block for a false condition
+        Else,     ///< ends the block of an If, and begins the block that is executed if the condition is false
         EndIf,
         EndWhile
     };
@@ -85,7 +84,8 @@ struct Code {
     Exprs exprs = {};          ///< terms whose leaves are cells
     Table<Cell> cells = {};
     Table<Timer> timers = {};
-    std::vector<std::variant<Id<Cell>, Id<Timer>>> declarations = {};  ///< in the order of the text
+    /// Declared cells and timers, in the order of the text.
+    std::vector<std::variant<Id<Cell>, Id<Timer>>> declarations = {};
     std::vector<Statement> body = {};
 };
 
@@ -94,12 +94,12 @@ struct Options {
     std::uint32_t max_evolutions = 1000;  ///< maximum number of evolutions in one cycle under stability search
 };
 
-/// Returns the code, with names that are legal in `target` and differ from `reserved`. Requires
-/// verify(equations).empty(), and that the equations are expressible.
+/// Returns the code, with names that are legal in `target` and differ from the names in `reserved`. Requires
+/// verify(equations).empty(), and that `expressible` returns true.
 Code code_of(const Equations& equations, const Options& options, Target target,
              std::span<const std::string_view> reserved = {});
 
-/// True if 32-bit integers and timers compute `equations` exactly. If the result is false, reports each division by a
+/// True if code with 32-bit integers and timers can compute `equations` exactly. Otherwise, reports each division by a
 /// divisor that is not constant, and each remainder of a division by -1. Also reports each value beyond 32 bits, and
 /// each duration beyond 31 bits of milliseconds. A division is reported even if a previous operand excludes a zero
 /// divisor, because `and` and `or` in Structured Text may evaluate all operands. `message` returns the error for a

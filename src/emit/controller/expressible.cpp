@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::int64_t longest_ms = std::numeric_limits<std::int32_t>::max();
 
-/// For each term: the reason why 32-bit arithmetic does not compute the term exactly, or no text if the result is
+/// For each term: the reason why 32-bit arithmetic does not compute the term exactly, or an empty text if the result is
 /// exact. One pass over the table is sufficient, because children precede parents.
 class Obstacles {
 public:
@@ -37,7 +37,7 @@ private:
         const bool divides = node.op == Op::Divide || node.op == Op::Modulo;
         if (divides && exprs_[exprs_.operands(term)[1]].op != Op::Integer) return "a division by a variable";
         if (divides && exprs_[exprs_.operands(term)[1]].value == 0) return "a division by zero";
-        // If the dividend is the least integer, the remainder is undefined in C.
+        // If the dividend is the least integer, the remainder of a division by -1 is undefined in C.
         if (node.op == Op::Modulo && exprs_[exprs_.operands(term)[1]].value == -1)
             return "a remainder of a division by -1";
         return nullptr;

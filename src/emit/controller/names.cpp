@@ -10,8 +10,8 @@ namespace {
 
 using Role = Equations::Role;
 
-/// The names inside a block. All preferred names are collected before the first name is assigned, so that the total
-/// cost is linear in the number of names.
+/// Assigns the names inside a block. All preferred names are collected before the first name is assigned, so that the
+/// total cost is linear in the number of names.
 class Inner {
 public:
     /// Requests a name. `place` receives the name after all names are collected; its address must remain valid until

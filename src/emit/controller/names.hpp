@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The names of a controller in a target language.
+// Assigns the names of a controller that are legal in a target language.
 #pragma once
 
 #include <span>
@@ -12,8 +12,8 @@
 
 namespace grafverif::controller {
 
-/// The names that a tester and a controller share. Interface names are assigned before internal names, so that no
-/// internal name conflicts with an interface name.
+/// The names that a test program and the tested controller share. Interface names are assigned before internal names,
+/// so that no internal name conflicts with an interface name.
 struct InterfaceNames {
     std::string block = {};
     std::vector<std::string> variables = {};  ///< names of inputs, followed by names of outputs
@@ -39,7 +39,7 @@ struct Names {
     std::string started = {}, stable = {}, evolutions = {}, limit = {}, fault = {};
     std::vector<Renaming> changed = {};
 };
-/// Returns names that are legal in the target and differ from `reserved`.
+/// Returns names that are legal in the target and differ from the names in `reserved`.
 Names names_of(const Equations& equations, Target target, std::span<const std::string_view> reserved = {});
 
 }  // namespace grafverif::controller

@@ -66,8 +66,9 @@ public:
     }
 
 private:
-    /// Moves the items of a layer towards the other ends of their lines: the ends in the previous layer if `before` is
-    /// true, the ends in the next layer if `after` is true. If `reorder` is true, the items are also reordered.
+    /// Moves the items of a layer towards the other ends of their lines. If `before` is true, the ends in the previous
+    /// layer attract the items; if `after` is true, the ends in the next layer. If `reorder` is true, the items are
+    /// also reordered.
     void draw(std::size_t layer, bool before, bool after, bool reorder) {
         std::vector<std::size_t>& order = layers_.order[layer];
         for (const std::size_t item : order) preferred_[item] = {};
@@ -83,7 +84,7 @@ private:
     }
 
     /// Returns the weight with which a line attracts `item` to the position at which the line is straight. Forward
-    /// lines have the highest weight, followed by lanes; backward lines have a low weight at nodes.
+    /// lines have the highest weight, followed by lanes of backward lines. A backward line has a low weight at a node.
     double weight(std::size_t channel, const Net& net, std::size_t item) const {
         if (layers_.depth[net.target] > channel) return 8;
         return layers_.items[item].lane ? 2 : 0.25;
@@ -117,7 +118,7 @@ private:
     /// Assigns to each item the position nearest to its preferred position, under the given order and gaps.
     void place(const std::vector<std::size_t>& order) {
         struct Block {
-            double sum = 0, weight = 0;  ///< sum over the preferred positions of the first item
+            double sum = 0, weight = 0;  ///< sum over the preferred positions of the first item of the block
             std::size_t items = 0;
             double begin() const { return sum / weight; }
         };
@@ -141,7 +142,8 @@ private:
                 layers_.items[order[k]].at = block.begin() + offsets[k];
     }
 
-    /// Orders rows by the positions of their targets. Loops come first, and rows without a target come last.
+    /// Orders the rows of a node by the positions of their targets. Rows of loops come first, and rows without a target
+    /// come last.
     void lay_rows(std::size_t node) {
         Item& item = layers_.items[node];
         std::vector<std::size_t>& arrows = layers_.arrows[node];
@@ -171,7 +173,7 @@ private:
         return forward ? far_place(layers_, net.far.front()) : near_place(layers_, net.near.front());
     }
 
-    /// Moves nodes such that a line from the previous layer enters without a bend, if there is enough space.
+    /// Moves nodes so that a line from the previous layer enters without a bend, if there is enough space.
     void straighten_nodes(std::size_t layer) {
         constexpr int corner = 10;
         const std::vector<std::size_t>& order = layers_.order[layer];
@@ -257,9 +259,9 @@ private:
         }
     }
 
-    static constexpr int jog = 12;  ///< minimum length of a jog
+    static constexpr int jog = 12;  ///< minimum length of a jog (a short sideways displacement of a line)
 
-    /// Returns the position of the line that a lane continues, if the line is near `at`.
+    /// Returns the position of the line that a lane continues if this line is near `at`, otherwise `at`.
     static int continued(const Item& lane, int at, int least, const std::map<int, std::size_t>& lines) {
         for (auto line = lines.lower_bound(std::max(least, at - jog)); line != lines.end() && line->first <= at + jog;
              ++line)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Data of a layered drawing during layout. `Along` is the reading direction; `across` is perpendicular to it.
+// Data of a layered drawing during layout. The direction `along` is the reading direction; the direction `across` is
+// perpendicular to it.
 #pragma once
 
 #include <cstddef>
@@ -19,12 +20,12 @@ struct Item {
     int size = 0;   ///< size in the direction `across`
     double at = 0;  ///< start in the direction `across`
     // The following members are valid only for a node.
-    bool is_reached_back = false;  ///< true if it has incoming lines that do not come from the previous layer
+    bool is_reached_back = false;  ///< true if the node has incoming lines that do not come from the previous layer
     int rows = 0;                  ///< size of the rows in the direction `across`
     int entry = 0;                 ///< position of incoming lines from the previous layer, relative to `at`
     int back_entry = 0;            ///< position of all other incoming lines, relative to `at`
 };
-/// The height of the space above the rows of a node with incoming backward lines.
+/// Height of the space above the rows of a node that has incoming backward lines.
 inline constexpr int back_space = 14;
 
 /// An outgoing arrow of a node. All values are distances in the direction `across`: the space before and after the line
@@ -40,7 +41,7 @@ struct Port {
     std::size_t arrow = nothing;  ///< arrow whose row contains the port; `nothing` if the port is not in a row
 };
 
-/// The lines to one node in one channel. All lines of a net join on a track.
+/// A net: the lines to one node in one channel (the space between two layers). All lines of a net join on one track.
 struct Net {
     std::size_t target = 0;
     /// Ports in the layers before and after the channel; the port towards the target is first.
@@ -49,11 +50,11 @@ struct Net {
 };
 
 struct Layers {
-    std::vector<Item> items = {};                       ///< nodes first, then lanes
+    std::vector<Item> items = {};                       ///< all items: nodes first, then lanes
     std::vector<std::vector<std::size_t>> order = {};   ///< order of the items in each layer
     std::vector<std::vector<Net>> channels = {};        ///< nets of the channel after each layer
     std::vector<std::vector<std::size_t>> arrows = {};  ///< outgoing arrows of each node, in the order of the rows
-    std::vector<Row> rows = {};                         ///< row of each arrow
+    std::vector<Row> rows = {};                         ///< row in which each arrow leaves its node
     std::vector<std::size_t> depth = {};                ///< layer of each node
     std::vector<std::map<std::size_t, std::size_t>> net_of = {};  ///< index of the net by target, per channel
 

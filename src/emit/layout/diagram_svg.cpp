@@ -62,7 +62,7 @@ Lines broken(const Lines& lines, std::size_t width) {
 struct Page {
     std::vector<Lines> nodes = {}, arrows = {};
     Layered places = {};
-    /// Returns the longer side, relative to the aspect ratio of a page in landscape format.
+    /// Returns the height of the smallest landscape page with the aspect ratio 3:2 that contains the drawing.
     int side() const { return std::max(2 * places.size.width / 3, places.size.height); }
 };
 
@@ -169,7 +169,7 @@ private:
              "black");
     }
 
-    /// Draws arrows with a common end as one path, so that shared segments are drawn only once.
+    /// Draws all arrows with the same end point as one path, so that shared segments are drawn only once.
     void lines() {
         std::map<std::pair<int, int>, std::size_t> known;
         Lines paths;

@@ -15,9 +15,10 @@ namespace {
 
 constexpr int label_margin = 5;  ///< space between a label and its line, and between a label and the box
 constexpr int loop_depth = 9;    ///< distance between the two lines of a loop
-constexpr int before_tracks = 10, track_gap = 9, after_tracks = 18;  ///< distances along a channel
+/// Distances in a channel: before its tracks, between them, and after them.
+constexpr int before_tracks = 10, track_gap = 9, after_tracks = 18;
 
-/// Conversion between along/across and x/y, for both directions.
+/// Converts between the coordinates along/across and x/y, for both reading directions.
 struct Axes {
     Direction direction = Direction::Across;
 
@@ -87,8 +88,8 @@ private:
         if (layers_.depth[arrow.to] <= layer) lead_back(arrow.to, layer);
     }
 
-    /// Returns the net of a node in a channel. If the channel is adjacent to the node, a new net starts with the port
-    /// of the node.
+    /// Returns the net of lines to node `target` in a channel. If the net is new and the channel is adjacent to the
+    /// node, the net starts with the port of the node.
     Net& net(std::size_t channel, std::size_t target) {
         std::vector<Net>& nets = layers_.channels[channel];
         const auto [known, added] = layers_.net_of[channel].try_emplace(target, nets.size());
@@ -99,7 +100,7 @@ private:
         return nets.back();
     }
 
-    /// Adds the missing lanes between the channel after `layer` and the channel after the layer of the target.
+    /// Adds the missing lanes of a backward line: one in each layer between `layer` and the layer of the target.
     void lead_back(std::size_t target, std::size_t layer) {
         layers_.items[target].is_reached_back = true;
         for (; layer > layers_.depth[target] && lanes_.insert({layer, target}).second; --layer) {
@@ -107,7 +108,7 @@ private:
             layers_.items.push_back({.node = target, .lane = true});
             layers_.order[layer].push_back(lane.item);
             std::vector<Port>& near = net(layer, target).near;
-            near.insert(near.begin(), lane);  // the port towards the target comes first
+            near.insert(near.begin(), lane);  // the port towards the target must be the first port
             net(layer - 1, target).far.push_back(lane);
         }
     }
@@ -162,7 +163,8 @@ public:
     }
 
 private:
-    /// Positions in the direction `along`: of the nodes of a layer, of their rows, and of the channel after the layer.
+    /// Positions in the direction `along`: the positions of the nodes of a layer, of their rows, and of the channel
+    /// after the layer.
     struct Place {
         int nodes = 0, rows = 0, channel = 0;
     };

@@ -4,8 +4,8 @@
 // A layer contains the nodes with equal distance from the first node. An arrow leads to the next layer, to the same
 // layer or to a previous layer. An arrow leaves its node at the side that faces the next layer, in a separate row, and
 // its label is placed along this row. Between two layers is a channel, in which arrows to one node join in one line. An
-// arrow from the previous layer ends at the side of its target node that faces this layer. All other arrows end at the
-// opposite side, above the rows of the node. A backward arrow has a separate lane in each layer that it crosses.
+// arrow from the previous layer ends at the side of its target node that faces the previous layer. All other arrows end
+// at the opposite side, above the rows of the node. A backward arrow has a separate lane in each layer that it crosses.
 //
 // Guarantees: boxes of nodes and labels do not overlap, and no line intersects a box. Lines are horizontal or vertical,
 // and lines of different nets meet only in crossings. The result depends only on the graph.

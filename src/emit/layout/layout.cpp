@@ -12,19 +12,19 @@
 namespace grafverif::layout {
 namespace {
 
-constexpr std::size_t many_links = 300;  // number of links above which links may cross labels
+constexpr std::size_t many_links = 300;  // if a graph has more links, links may cross labels
 
 struct Candidate {
     Box box = {};
     double penalty = 0;
-    bool astray = false;  ///< true if the label is too far away from its element
+    bool astray = false;  ///< true if the label is too far from the element that it describes
 };
 
 Box centred(Vector centre, Size size) {
     return {point({centre.x - size.width / 2.0, centre.y - size.height / 2.0}), size};
 }
 
-/// Returns the box with a margin.
+/// Returns the box, enlarged by a margin.
 Box aired(const Box& box) {
     constexpr int air = 4;
     return {{box.at.x - air, box.at.y - air}, {box.size.width + 2 * air, box.size.height + 2 * air}};
@@ -181,7 +181,8 @@ Drawing draw(const Graph& graph) {
     for (std::size_t i = 0; i < scales.size(); ++i) {
         const Skeleton lines = skeleton(graph, order, scales[i]);
         Attempt attempt;
-        attempt.drawing.nodes.reserve(graph.nodes.size());  // labels refer to nodes by address
+        // Reserved, because labels refer to nodes by their addresses.
+        attempt.drawing.nodes.reserve(graph.nodes.size());
         attempt.drawing.links.reserve(graph.links.size());
         Placer(graph, lines).place(attempt);
         const auto faults = [](const Attempt& a) { return std::pair(a.homeless.size(), a.crossings + a.astray); };

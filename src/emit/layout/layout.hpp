@@ -3,11 +3,11 @@
 // of charts have a separate layout (draw/).
 //
 // Nodes are placed on a line if the links form a path, otherwise on an ellipse, in an order that keeps links short.
-// Links between the same two nodes run in parallel lanes. Loops are petals that point into the widest gap around their
-// node. Labels are then placed sequentially. Each label is placed at the first of its candidate positions at which it
-// overlaps no other element and intersects no link. If there is no such position for a label, the drawing is enlarged
-// and the layout is repeated; the best attempt is used. A label that still has no position is placed below the drawing.
-// No chart in the samples needs this placement.
+// Links between the same two nodes run in parallel lanes. Each loop is drawn as a petal in the widest gap between the
+// links of its node. Labels are then placed sequentially. Each label is placed at the first of its candidate positions
+// at which it overlaps no other element and intersects no link. If there is no such position for a label, the drawing
+// is enlarged and the layout is repeated; the best attempt is used. A label that still has no position is placed below
+// the drawing, which is not necessary for any chart in the samples.
 //
 // Guarantee: boxes of nodes and labels do not overlap. The result depends only on the graph.
 #pragma once

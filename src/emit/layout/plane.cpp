@@ -14,8 +14,8 @@ std::uint64_t key(int column, int row) {
     return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(column)) << 32U) | static_cast<std::uint32_t>(row);
 }
 
-/// True if the segment intersects the box, that is, if the intersection of the segment with all four half planes of the
-/// box is not empty.
+/// True if the segment intersects the box, that is, if some point of the segment is in all four half planes that bound
+/// the box.
 bool runs_through(const Segment& segment, const Box& box) {
     const Vector step = segment.to - segment.from;
     double first = 0, last = 1;

@@ -103,7 +103,7 @@ std::vector<std::size_t> ring_order(std::vector<std::size_t> best, const std::se
     return best;
 }
 
-/// Returns an arrangement in which nodes with one neighbour are outside of the ring of the other nodes.
+/// Returns an arrangement in which the nodes with only one neighbour are outside of the ring of all other nodes.
 Arrangement ring_with_pendants(std::size_t nodes, const std::set<Pair>& pairs) {
     const std::vector<std::vector<std::size_t>> next = neighbours(nodes, pairs);
     const auto is_pendant = [&](std::size_t node) {
@@ -194,13 +194,14 @@ bool has_clearance(const std::vector<Vector>& places) {
     return true;
 }
 
-/// The links between two nodes, grouped by side.
+/// The links between two nodes, grouped by the side of the straight line on which they are drawn.
 struct Bundle {
     std::vector<std::size_t> outer = {}, inner = {};
 };
 
-/// Distributes the links between two nodes. Links that are forward in the order of the nodes are on the outer side, and
-/// backward links are on the inner side. If all links have the same direction, they are distributed over both sides.
+/// Distributes the links between each two nodes. Links that lead forward in the order of the nodes are on the outer
+/// side, and backward links are on the inner side. If all links have the same direction, they are distributed over both
+/// sides.
 std::map<Pair, Bundle> bundles(const Graph& graph, const Arrangement& arrangement) {
     std::vector<std::size_t> place(graph.nodes.size());
     for (std::size_t i = 0; i < arrangement.order.size(); ++i) place[arrangement.order[i]] = i;
@@ -257,8 +258,8 @@ public:
     }
 
 private:
-    /// Returns the normal of the straight link of a pair. The normal points away from the centre, or upwards if the
-    /// link intersects the centre.
+    /// Returns the normal of the straight line between a pair of nodes. The normal points away from the centre, or
+    /// upwards if the line intersects the centre.
     Vector outward(const Pair& pair) const {
         const Vector a = skeleton_.nodes[pair.first], b = skeleton_.nodes[pair.second];
         const Vector across = unit(normal(b - a));

@@ -24,7 +24,7 @@ Arrangement arrangement(const Graph& graph);
 struct Route {
     std::vector<Vector> nails = {};
     Segment middle = {};  ///< segment of the link next to its label; for a loop, both ends are the tip
-    Vector outward = {};  ///< unit vector from the middle towards the label
+    Vector outward = {};  ///< unit vector from `middle` towards the label
 };
 
 struct Skeleton {

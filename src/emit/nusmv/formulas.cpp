@@ -40,7 +40,7 @@ public:
     }
 
 private:
-    /// A symbol of main (with an invalid instance) or of an instance.
+    /// A symbol of main (the instance is invalid), or a symbol of an instance.
     using Place = std::pair<Id<System::Instance>, Id<System::Symbol>>;
 
     void add(const std::vector<std::string>& names, const std::string& path, Id<System::Instance> instance) {
@@ -63,7 +63,7 @@ private:
         return here.type.boolean ? Type::Boolean : Type::Number;
     }
 
-    /// True if the value in a state depends on a choice of the step.
+    /// True if the value of the symbol depends on a choice that is made for each step, and not only on the state.
     bool is_of_steps(Place place) const {
         System seen = system_;
         Table<System::Symbol>& main = seen.modules[seen.main].symbols;
@@ -83,7 +83,7 @@ private:
     std::unordered_set<std::string> values_ = {};
 };
 
-/// Returns `system` without the properties for which `fault` returns a reason.
+/// Returns `system` without the properties for which `fault` returns a reason. These properties are listed as omitted.
 System without_faulty(System system, const std::function<std::optional<std::string>(const Property&)>& fault) {
     Table<Property> kept;
     std::vector<System::Omitted> omitted;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The modules of a NuSMV model: header, declarations, assignments, definitions.
+// Writes the modules of a NuSMV model: header, declarations, assignments, definitions.
 #include "emit/nusmv/nusmv.hpp"
 
 #include <algorithm>
@@ -30,8 +30,8 @@ struct ModulePrinter {
     const System::Module& module() const { return system.modules[id]; }
     const std::string& name(Id<System::Symbol> symbol) const { return names.symbols[id.index][symbol.index]; }
     const Exprs& exprs() const { return values.exprs(); }
-    /// Returns `value` in the notation of the model. Names of values replace the numbers. `symbol`, if given,
-    /// determines the type.
+    /// Returns `value` in the notation of the model, in which names of values replace their numbers. If `symbol` is
+    /// valid, it determines the type of the value.
     Id<Expr> written(Id<Expr> value, Id<System::Symbol> symbol = {}) const { return values.named(id, value, symbol); }
     void print(Id<Expr> value) const { print_expr(out, exprs(), value, nusmv_spelling, leaf); }
 };
@@ -233,7 +233,7 @@ void print_header(std::ostream& out, const System& system, const Names& names) {
     if (names.changed.empty()) return;
     out << "--\n"
            "-- names that are not valid in NuSMV\n";
-    std::vector<Names::Changed> scopes;  // a scope for each list of changes
+    std::vector<Names::Changed> scopes;  // one list of changed names for each scope
     for (const Names::Changed& scope : names.changed) {
         const auto same = std::ranges::find(scopes, scope.renamings, &Names::Changed::renamings);
         if (same == scopes.end()) scopes.push_back(scope);

@@ -5,18 +5,18 @@
 // Mapping:
 //   variable     VAR `x : boolean;`, `n : 0..10;` or `{still, moving}`, in the order of the symbols, which is the order
 //                of the BDD variables
-//   choice       IVAR
+//   choice       IVAR declaration
 //   transitions, invariants, justice   TRANS, INVAR, JUSTICE
 //   always, never, exactly one of   INVARSPEC      at stable: `settled -> ...`
 //   reachable    INVARSPEC never_P := !p   at stable: `settled -> !p`; P holds if never_P is false
 //   inevitable   SPEC AF p         at stable: AF (settled & p)
 //   p leads to q SPEC AG (p -> AF q)   at stable: `settled & ...` in both operands
 //   always possible  SPEC AG EF p  at stable: AG EF (settled & p)
-//   ctl, ltl     SPEC, LTLSPEC, as written
-// Every specification has the name of its property. The exception is `reachable`, which is negated and named
-// accordingly, because a specification is true if all initial states satisfy it (emit/nusmv/properties). An omitted
-// property is replaced by a comment with the reason. A value with several cases is `case ... esac`. Names are converted
-// to legal names once (syntax/print/legal_names); the header of the file contains the map of changed names.
+//   ctl, ltl     SPEC, LTLSPEC; the formula is copied from the file
+// Every specification has the name of its property. The exception is `reachable`: its specification is negated and
+// named `never_P`, because a specification is true only if all initial states satisfy it (emit/nusmv/properties). An
+// omitted property is replaced by a comment with the reason. A value with several cases is `case ... esac`. Names are
+// converted to legal names once (syntax/print/legal_names); the header of the file contains the map of changed names.
 #pragma once
 
 #include <iosfwd>

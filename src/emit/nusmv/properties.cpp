@@ -3,9 +3,9 @@
 // x) -> y`.
 //
 // A specification of SMV is true if every initial state satisfies it; under fairness, only initial states of fair runs
-// are considered. All patterns except `reachable` refer to all initial states in the same way. The specification `EF p`
-// would be false if p were reachable from one initial state but not from another, and vacuously true if no run were
-// fair. Therefore `reachable p` is written as `never p`.
+// are considered. All patterns except `reachable` concern all initial states in the same way. The specification `EF p`
+// would be false if p were reachable from one initial state but not from another. It would be vacuously true if no run
+// were fair. Therefore `reachable p` is written as `never p`.
 #include <ostream>
 
 #include "emit/nusmv/text.hpp"
@@ -79,7 +79,7 @@ Specification specification(const Printer& printer, const Property& property) {
     case Pattern::NoTimelock:
     case Pattern::Watched:
     case Pattern::ReachableAllSteps:
-    case Pattern::RawUppaal: break;  // `verify` excludes this pattern
+    case Pattern::RawUppaal: break;  // `verify` excludes the pattern RawUppaal
     }
     unreachable();
 }

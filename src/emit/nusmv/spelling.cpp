@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Maps the elements of a flat system to the names in the model that `emit` writes. This map is used to read NuSMV's
-// traces.
+// Maps the elements of a flat system to the names in the model that `emit` writes. With this map, grafverif reads
+// traces of NuSMV.
 #include "emit/nusmv/nusmv.hpp"
 #include "emit/nusmv/text.hpp"
 

@@ -11,7 +11,7 @@ namespace {
 
 using System = TransitionSystem;
 
-/// Returns legal names for `names`. Changed names are recorded under `scope`.
+/// Returns legal names for `names`. Records changed names under `scope`.
 std::vector<std::string> legal(Names& result, const std::string& scope, const std::vector<std::string>& names) {
     std::vector<std::string> made = legal_names(Target::Nusmv, names);
     std::vector<Renaming> changes = renamings(names, made);
@@ -50,8 +50,8 @@ void name_members(Names& result, const System& system) {
     }
 }
 
-/// Chooses one name per named value. The name differs from the names of symbols in all modules, because NuSMV's
-/// constants are global.
+/// Chooses one name for each named value. The name differs from the names of symbols in all modules, because constants
+/// are global in NuSMV.
 void name_values(Names& result, const System& system) {
     std::vector<std::string> preferred_names;
     for (const System::Module& module : system.modules)
@@ -93,7 +93,7 @@ Id<Expr> NamedValues::named(Id<System::Module> module, Id<Expr> term, Id<System:
     if (names_.values.empty()) return term;
     const auto [known, fresh] = known_.try_emplace(Key{module, term, symbol});
     if (fresh) {
-        const Id<Expr> made = rewritten(module, term, symbol);  // may insert into `known_`
+        const Id<Expr> made = rewritten(module, term, symbol);  // this call may insert elements into `known_`
         known_[Key{module, term, symbol}] = made;
         return made;
     }

@@ -35,16 +35,16 @@ struct Names {
 
 Names names_of(const TransitionSystem& system);
 
-/// The terms of a system in printed form. A number that denotes a named value becomes a leaf. The indices of these
-/// leaves follow the indices of the symbols of the module.
+/// The terms of a system in the form in which they are printed. A number that denotes a named value becomes a leaf. The
+/// indices of these leaves follow the indices of the symbols of the module.
 class NamedValues {
 public:
     NamedValues(const TransitionSystem& system, const Names& names)
         : system_(system), names_(names), exprs_(system.exprs) {}
 
     const Exprs& exprs() const { return exprs_; }
-    /// Returns `term` of `module` in printed form. `symbol` is the symbol that has this value; invalid if there is no
-    /// such symbol.
+    /// Returns the term of `module` in the form in which it is printed. `symbol` is the symbol that has the value
+    /// `term`; invalid if there is no such symbol.
     Id<Expr> named(Id<TransitionSystem::Module> module, Id<Expr> term, Id<TransitionSystem::Symbol> symbol = {});
 
 private:

@@ -18,10 +18,10 @@ namespace grafverif::pins {
 
 namespace {
 
-constexpr std::size_t least_slots = 2;  // minimum number of slots for pins2lts-dist
+constexpr std::size_t least_slots = 2;  // minimum number of state slots that pins2lts-dist requires
 
-/// C operators. Arithmetic operators become functions that detect undefined values. Parentheses avoid compiler
-/// warnings.
+/// Returns the C operator for `op`. Arithmetic operators become functions that detect undefined values. Parentheses
+/// avoid compiler warnings.
 Spelling spelling(Op op) {
     switch (op) {
     case Op::Not: return {"!", uppaal_spelling(op).precedence, "(", ")"};

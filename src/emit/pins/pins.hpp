@@ -4,16 +4,17 @@
 // LTSmin can explore state spaces that exceed the memory of one machine.
 //
 // Mapping:
-//   location, variable, clock   a slot of the state, if it has at least two values; clocks are capped per location as
-//                               in the timed engine (ir/network_clocks), so that both have the same states
+//   location, variable, clock   a slot of the state, if it has at least two values; clocks are capped per location
+//                               (ir/network_clocks), so that LTSmin finds the same states as the timed engine
 //   edge                        a transition group; it reads the variables of its guard, clock constraint and
 //                               assignments
-//   a unit of time              the last group; enabled if every invariant holds and no urgent edge is enabled
+//   a unit of time              the last group; enabled if every invariant holds after the unit and no urgent edge is
+//                               enabled
 //   state property              a label, true in the states that violate the property (`reachable`: that satisfy it)
 //   operands of other properties   labels `NAME_p`, `NAME_q`
-//   model error                 the label `breaks_off`: some move takes a value out of its range, or divides by zero;
-//                               such a move has no successor, and no move leaves a state in which stored actions have
-//                               raced
+//   model error                 the label `breaks_off`: some move would assign a value outside its range, or divide by
+//                               zero; such a move has no successor, and a state after a race of stored actions has no
+//                               moves
 #pragma once
 
 #include <iosfwd>

@@ -81,7 +81,7 @@ std::vector<ClockInterval> Slots::tested(Id<Network::Process> process, const Net
     const std::vector<ClockInterval> after = admitted(network, automaton(process).locations[edge.to].invariant, count);
     for (std::uint32_t clock = 0; clock < count; ++clock) {
         if (!resets(edge, {clock})) wanted[clock].high = std::min(wanted[clock].high, after[clock].high);
-        else if (!after[clock].contains(0)) wanted[clock] = {1, 0};  // the range is empty: no value is admitted
+        else if (!after[clock].contains(0)) wanted[clock] = {1, 0};  // an empty range {1, 0} admits no value
     }
     return wanted;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The slots of a state: positions of each location, variable and clock of an expanded network. This module also
-// determines the slots that terms and edges read and write.
+// Determines the slots of a state, which are the positions of the locations, variables and clocks of an expanded
+// network. Also determines the slots that terms and edges read and write.
 #pragma once
 
 #include <cstdint>
@@ -43,8 +43,8 @@ struct Slots {
     SlotSet read_by(const Exprs& exprs, Id<Expr> term) const;
     /// Returns the assignments of an edge, followed by the assignments of the procedures that it calls.
     std::vector<Network::Assignment> effect(Id<Network::Process> process, const Network::Edge& edge) const;
-    /// Returns the bounds of an edge per clock: the bounds of its constraint and, for clocks that it does not reset,
-    /// the bounds of the invariant of its target.
+    /// Returns the bounds of an edge for each clock: the bounds of the clock constraint and, if the edge does not reset
+    /// the clock, the bounds of the invariant of its target.
     std::vector<ClockInterval> tested(Id<Network::Process> process, const Network::Edge& edge) const;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Prints the code of a controller. REPEAT is not used, because a published version of MATIEC compiles `UNTIL c` as
-// `while (c)`, without the negation.
+// Prints the code of a controller in Structured Text. REPEAT is not used, because a published version of MATIEC
+// compiles `UNTIL c` as `while (c)`, without the negation.
 #include "emit/structured_text/body.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// CODESYS and TwinCAT: the reserved words are those of the pages "Keywords" and "Compiler Error C0543" of the online
-// help of CODESYS 3 and TwinCAT 3, and operators and types of CODESYS. Siemens: the form follows published SCL sources
-// of S7-1500 projects. The reserved words for Siemens are keywords of SCL and names in the heads of blocks; the list
-// may be incomplete. The dialects were not tested with the tools of the vendors.
+// Defines the dialects. CODESYS and TwinCAT: the reserved words are those of the pages "Keywords" and "Compiler Error
+// C0543" of the online help of CODESYS 3 and TwinCAT 3, and the operators and types of CODESYS. Siemens: the file
+// format follows published SCL sources of S7-1500 projects. The reserved words for Siemens are the keywords of SCL and
+// the attribute names in block headers; the list may be incomplete. The dialects were not tested with the tools of the
+// vendors.
 #include "emit/structured_text/dialects.hpp"
 
 #include <algorithm>

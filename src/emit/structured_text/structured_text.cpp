@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes the declarations of the controller and its body.
+// Writes a controller in Structured Text: its declarations and its body.
 #include "emit/structured_text/structured_text.hpp"
 
 #include <fmt/format.h>

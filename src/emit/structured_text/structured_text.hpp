@@ -6,8 +6,8 @@
 //   input, output          VAR_INPUT, VAR_OUTPUT of the same name; outputs are written at the end of the cycle
 //   X_s, CF_t, internals   local variables; integers are DINT
 //   time condition         TON, followed by TOF if it has a fall time. The timers are called before the first evolution
-//                          of the cycle, in order to sample the time, and after each evolution. A step that is
-//                          deactivated and activated again within one cycle therefore restarts its timer
+//                          of the cycle, in order to sample the time, and after each evolution. Therefore a step that
+//                          is deactivated and activated again within one cycle restarts its timer
 //   stability search       WHILE the situation is not stable, bounded by MAX_EVOLUTIONS
 //   faults                 output FAULT: 1 no stable situation within the bound (total instability), 2 a race of stored
 //                          actions, 3 a value outside its range, 4 contradictory forcing orders. After a fault the
@@ -30,7 +30,7 @@
 
 namespace grafverif::structured_text {
 
-enum class Form { Text, PlcopenXml };  ///< textual unit, or project in PLCopen TC6 XML 2.01
+enum class Form { Text, PlcopenXml };  ///< text of a program organization unit, or a project in PLCopen TC6 XML 2.01
 
 /// Structured Text of the standard and of vendors (see dialects.hpp). Twincat and Siemens have their own file formats
 /// and ignore Form.
@@ -43,12 +43,12 @@ struct Options {
     Dialect dialect = Dialect::Iec;
 };
 
-/// True if the block can compute `equations`. If the result is false, reports each division by a divisor that is not
+/// True if a function block can compute `equations` exactly. Otherwise, reports each division by a divisor that is not
 /// constant, each value beyond 32 bits, and each duration beyond the range of TIME. A division is reported even if a
 /// previous operand excludes a zero divisor, because `and` and `or` in Structured Text may evaluate all operands.
 bool expressible(const Equations& equations, Diagnostics& diagnostics);
 
-/// Writes the block. Requires verify(equations).empty() and that the equations are expressible.
+/// Writes the function block. Requires verify(equations).empty() and that the equations are expressible.
 void emit(const Equations& equations, const Options& options, std::ostream& out);
 
 /// Writes the test program. Requires verify(test).empty().

@@ -4,7 +4,7 @@
 // Each row of the test is one branch of a CASE statement, with inputs, expected outputs, number of scans and waiting
 // time. During a wait, the controller is not called: its timers continue, and the elapsed time is visible at the next
 // scan. The timers of the controller start before the timer of the wait, so that they have expired when the wait ends.
-// Power-on is represented by a separate instance for each sequence.
+// Each sequence uses a separate instance of the controller, so that it starts at power-on.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ std::string value_text(const TestSequence::Variable& variable, std::int64_t valu
 struct TestNames {
     controller::InterfaceNames interface = {};
     std::vector<std::string> inputs = {}, expected = {};
-    std::vector<std::string> controllers = {};  ///< one instance per sequence
+    std::vector<std::string> controllers = {};  ///< names of the controller instances, one per sequence
     std::string program = {}, row = {}, scan = {}, scans = {}, sequence = {}, pause = {}, wait = {}, done = {},
                 passed = {}, failed_row = {}, failures = {}, wrong = {};
 };
@@ -127,7 +127,7 @@ private:
         line("END_CASE;");
     }
 
-    /// Prints one scan and the comparison of the outputs after it.
+    /// Prints one scan and the comparison of the outputs after the scan.
     void call(std::size_t sequence, const std::string& label) {
         const std::string& controller = names_.controllers[sequence];
         std::string arguments, wrong;

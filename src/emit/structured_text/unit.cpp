@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Prints a unit as text or XML. The XML conforms to PLCopen's TC6 schema 2.01 and uses its order of elements. The date
-// in the file is constant, so that the same input yields the same file.
+// Prints a program organization unit as text or XML. The XML conforms to PLCopen's TC6 schema 2.01 and uses its order
+// of elements. The date in the file is constant, so that the same input yields the same file.
 #include "emit/structured_text/unit.hpp"
 
 #include <fmt/format.h>
@@ -59,7 +59,8 @@ void print_text(const Unit& unit, const DialectRow& dialect, std::ostream& out) 
     out << dialect.begin << '\n' << unit.body << "\nEND_" << word_of(unit) << '\n';
 }
 
-/// Returns an identifier for the file, which depends only on the name (FNV-1a with 64 bits, for two initial values).
+/// Returns an identifier for the file, which depends only on the name: two 64-bit FNV-1a hashes with different initial
+/// values.
 std::string file_id(std::string_view name) {
     std::array<std::uint64_t, 2> halves = {0xcbf29ce484222325, 0x84222325cbf29ce4};
     for (std::uint64_t& half : halves)

@@ -26,7 +26,7 @@ struct UnitVariable {
 struct Unit {
     bool is_program = false;  ///< true for a program, false for a function block
     std::string name = {};
-    std::string comment = {};  ///< may have several lines
+    std::string comment = {};  ///< comment of the unit; may have several lines
     std::vector<UnitVariable> variables = {};
     std::string body = {};
 };
@@ -34,7 +34,8 @@ struct Unit {
 /// Returns `text` for use inside a comment: a blank is inserted between the characters of `(*` and `*)`.
 std::string comment_text(std::string text);
 
-/// Prints the unit in the file format of the dialect. `form` selects one of the standard formats.
+/// Prints the unit in the file format of the dialect. For dialects with the standard format, `form` selects text or
+/// XML.
 void print(const Unit& unit, Form form, const DialectRow& dialect, std::ostream& out);
 
 }  // namespace grafverif::structured_text

@@ -109,8 +109,8 @@ void write_header(std::ostream& out, const Network& network, const Names& names)
     for (const auto& [name, legal] : names.changed) out << "//   " << name << " is renamed to " << legal << "\n";
 }
 
-/// Returns the meaning of a variable that only observers of properties need: the location of a process, or the turn of
-/// the observers. The result is empty for all other variables.
+/// Returns the meaning of a variable that exists only for observers of properties: the location of a process, or the
+/// turn of the observers. The result is empty for all other variables.
 std::string observation_text(const Network& network, const Names& names, Id<Network::Variable> id) {
     const Network::Variable& variable = network.variables[id];
     if (variable.role != Role::Flag || variable.type.boolean) return {};
@@ -136,14 +136,15 @@ void write_variable(std::ostream& out, const Network& network, const Names& name
     out << '\n';
 }
 
-/// Returns the controller whose cycle is the template; null if there is none.
+/// Returns the controller whose PLC cycle the template represents; null if there is no such controller.
 const Network::Controller* controller_of(const Network& network, Id<Network::Template> automaton) {
     for (const Network::Controller& controller : network.controllers)
         if (network.processes[controller.process].automaton == automaton) return &controller;
     return nullptr;
 }
 
-/// Returns a heading for an assignment in a procedure of the controller; empty if the target has no role.
+/// Returns the heading of the section to which an assignment in a procedure of the controller belongs; empty if the
+/// target belongs to no section.
 std::string_view heading_of(const Network& network, const Network::Controller* controller,
                             Id<Network::Procedure> procedure, const Network::Assignment& assignment) {
     const Expr& target = network.exprs[assignment.target];
@@ -164,7 +165,8 @@ std::string_view purpose(const Network::Controller& controller, Id<Network::Proc
     return procedure == controller.write ? "the outputs of the new situation" : "";
 }
 
-/// Returns the state of the cycle in the target location of `edge`; empty if this state needs no description.
+/// Returns a description of the phase of the PLC cycle in the target location of `edge`; empty if the phase needs no
+/// description.
 std::string_view phase_after(const Network::Controller& controller, const Network::Edge& edge) {
     if (edge.to == controller.waiting) return {};
     if (has_call(edge, controller.fire)) return "the inputs are sampled";
@@ -215,8 +217,8 @@ std::string phases_text(const Network& network, const LocalNames& names, const N
     return text;
 }
 
-/// Returns the durations among the arguments of a process, such as `TRAVEL = 2s`: the constants that are bounds of
-/// clocks.
+/// Returns the arguments of a process that are durations, such as `TRAVEL = 2s`. An argument is a duration if its
+/// parameter is a bound of a clock.
 std::string durations_text(const Network& network, const LocalNames& names, const Network::Process& process) {
     const Network::Template& automaton = network.templates[process.automaton];
     std::vector<bool> is_duration(automaton.parameters.size());
@@ -243,8 +245,8 @@ std::string argument_text(const Names& names, const Type& type, const Network::A
                       argument);
 }
 
-/// Returns, for each process that is a timer, the name of its controller. The name is empty for all other processes,
-/// and for all processes if there is only one controller.
+/// Returns, for each process that is a timer, the name of its controller. The name is empty for all other processes. If
+/// there is only one controller, all names are empty.
 std::vector<std::string_view> timer_owners(const Network& network) {
     std::vector<std::string_view> owners(network.processes.size());
     if (network.controllers.size() < 2) return owners;

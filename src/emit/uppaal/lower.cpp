@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Replaces constructs that UPPAAL templates do not support (see `lower`). The replacement takes place before the
-// project is written.
+// Replaces constructs that UPPAAL templates do not support (see `lower`), before the project is written.
 #include <algorithm>
 
 #include "emit/uppaal/uppaal.hpp"
@@ -22,15 +21,17 @@ std::vector<std::vector<Id<Location>>> starts(const Network& network) {
     return used;
 }
 
-/// Creates one template per initial location. The copy that starts in the initial location of the template keeps the
-/// name. If no process starts in this location, the copy for the first used location keeps the name.
+/// Creates one copy of each template per initial location of its processes. The copy that starts in the initial
+/// location of the template keeps the name of the template. If no process starts in this location, the copy for the
+/// first used location keeps the name.
 void split_by_start(Network& network) {
     const std::vector<std::vector<Id<Location>>> used = starts(network);
     UniqueNames names;
     for (const Template& automaton : network.templates) names.take(automaton.name);
 
     Table<Template> templates;
-    std::vector<std::vector<Id<Template>>> variants(network.templates.size());  // has the same indices as `used`
+    // For each element of `used`: the template for it.
+    std::vector<std::vector<Id<Template>>> variants(network.templates.size());
     for (const Id<Template> id : network.templates.ids()) {
         const Template& automaton = network.templates[id];
         const std::vector<Id<Location>>& list = used[id.index];

@@ -36,7 +36,7 @@ private:
     std::size_t given_ = 0;
 };
 
-/// Determines which of some global variables the terms of a template read or write. Visits shared subterms once.
+/// Determines which of the given global variables a template reads or writes. Visits shared subterms once.
 class Globals {
 public:
     explicit Globals(const Network& network) : network_(network), seen_(network.exprs.size(), false) {}

@@ -19,7 +19,8 @@ inline constexpr std::string_view guard_prefix = "guard_";
 
 struct LocalNames {
     std::vector<std::string> parameters = {}, clocks = {}, locations = {}, procedures = {};
-    /// All names that additional names must avoid, including the names of parameters, clocks, locations and procedures.
+    /// All names that further local names must not use, including the names of parameters, clocks, locations and
+    /// procedures.
     std::unordered_set<std::string> taken = {};
 };
 

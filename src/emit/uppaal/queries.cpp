@@ -39,7 +39,7 @@ std::string_view reason(Pattern pattern) {
     unreachable();
 }
 
-/// Returns additional text for the second line of the comment, if the formula alone is not sufficient.
+/// Returns a remark for the second line of the comment of a query, or an empty text if the formula needs no remark.
 std::string_view remark(const Property& property) {
     if (property.pattern == Pattern::RawUppaal) return "as written; ";
     if (property.at_stable) return "in quiescent states; ";
@@ -75,7 +75,8 @@ private:
         list.push_back({id, property.name, formula(property), comment, satisfied});
     }
 
-    /// Returns the error in a formula for UPPAAL, including unknown names, or an empty string if there is none.
+    /// Returns a description of the error in a formula for UPPAAL, such as an unknown name, or an empty string if the
+    /// formula is valid.
     std::string what_it_lacks(const std::string& formula) {
         if (known_.empty()) {
             known_.insert(names_.variables.begin(), names_.variables.end());
@@ -148,7 +149,7 @@ private:
     std::string whenever(const Property& property, Id<Expr> operand) {
         return property.at_stable ? settled() + " imply " + terms_.bracketed(operand) : plain(operand);
     }
-    /// Returns the operand in conjunction with the condition for states in which the property is evaluated.
+    /// Returns the conjunction of the operand and the condition for states in which the property is evaluated.
     std::string also(const Property& property, Id<Expr> operand) {
         return property.at_stable ? settled() + " && " + terms_.bracketed(operand) : plain(operand);
     }

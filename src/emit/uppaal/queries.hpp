@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Properties as UPPAAL queries. A formula is a single line, because a query ends at the end of the line in UPPAAL.
+// Translates properties to UPPAAL queries. A formula is a single line, because a query ends at the end of the line in
+// UPPAAL.
 #pragma once
 
 #include <optional>

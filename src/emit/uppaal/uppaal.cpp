@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Writes the project as XML: declarations, templates as drawn by emit/layout, system, queries. The text is written into
-// one buffer, because a large chart results in one long declaration.
+// one buffer, because the declaration of a large chart is long.
 //
 // UPPAAL's parser is stricter than XML: text must not be split by comments, and a comment must not be the last node in
 // `queries`. Therefore, the comment of a property without a formula is placed before the next query, or before the last

@@ -5,8 +5,8 @@
 //
 // Mapping:
 //   variable, clock      `bool x;`, `int[lo,hi] n;`, `clock t;`; globals grouped by role, scratch variables `meta`
-//   Read, Written        `bool &x`, `int[lo,hi] &n`: UPPAAL cannot bind a variable to a parameter `const &` of a
-//                        process
+//   Read, Written        `bool &x`, `int[lo,hi] &n`. Parameters that are only read are not `const &`, because UPPAAL
+//                        cannot bind a variable to such a parameter of a process
 //   Constant             `const int D`, `const bool K`
 //   urgent edge          emits on one urgent broadcast channel, which needs no receiver (CEP13 section 5);
 //                        UPPAAL lets no time pass while the guard of the edge holds
@@ -14,7 +14,7 @@
 //   property             a query: formula, a comment that begins with the property's name, the expected outcome
 // A long guard becomes a Boolean function. Names are converted to legal names once (syntax/print/legal_names); the
 // header of the file contains the map of changed names. A process whose initial location differs from the initial
-// location of its template needs a separate template (see `lower`). Locations, edges and labels are laid out by
+// location of its template has a separate template (see `lower`). Locations, edges and labels are laid out by
 // emit/layout.
 #pragma once
 
@@ -27,9 +27,9 @@
 namespace grafverif::uppaal {
 
 /// Returns an equivalent network in which each process starts in the initial location of its template. If the processes
-/// of a template start in several locations, the template is copied for each of them, and the copy is named after the
-/// location (`sensors`, `sensors_out`). Location indices, and therefore properties, are unchanged. A constant parameter
-/// that can exceed UPPAAL's default integers gets the range of its arguments.
+/// of a template start in several locations, the template is copied for each of these locations, and each copy is named
+/// after its location (`sensors`, `sensors_out`). Location indices, and therefore properties, are unchanged. A constant
+/// parameter that can exceed UPPAAL's default integers gets the range of its arguments.
 Network lower(Network network);
 
 /// Writes the project as `.xml`. Requires verify(network).empty() and a lowered network.

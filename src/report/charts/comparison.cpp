@@ -106,7 +106,7 @@ std::string outcome_text(const Comparison& comparison, Colour colour) {
 
 bool has_program(const Comparison& comparison) { return comparison.programs[0] || comparison.programs[1]; }
 
-/// Returns text that names the interpreters that replayed the difference.
+/// Returns text that names the semantics under which the difference was replayed.
 std::string_view replay_text(const Comparison& comparison) {
     if (!has_program(comparison)) return "under the rules of IEC 60848";
     return comparison.programs[0] && comparison.programs[1]
@@ -130,7 +130,7 @@ std::string names_text(const std::vector<std::string>& names) {
     return text;
 }
 
-/// Prints the assumptions under which the verdict of the comparison holds.
+/// Prints the assumptions under which the verdict of the comparison is valid.
 void print_basis(const Comparison& comparison, std::ostream& out) {
     out << "  a scan is " << scan_text(comparison);
     if (comparison.interval_ms) out << fmt::format("; scans occur every {}", duration_text(*comparison.interval_ms));
@@ -154,7 +154,7 @@ void print_basis(const Comparison& comparison, std::ostream& out) {
         out << "  these outputs are not compared: " << printable(names_text(comparison.ignored)) << '\n';
 }
 
-/// Returns the statement that is proved if no scan distinguishes the two sides.
+/// Returns the statement that is proved if no sequence of scans distinguishes the two sides.
 std::string equality_text(const Comparison& comparison) {
     return fmt::format("for all inputs{}, both write the same outputs in every scan, or both stop in the same scan",
                        comparison.resolution_ms > 0 && !comparison.interval_ms ? " and all times between scans" : "");

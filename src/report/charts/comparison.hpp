@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Writes a comparison as text and as JSON.
 //
-// The text contains the verdict and its assumptions. If the charts differ, the distinguishing scans with the behaviour
-// of both charts follow. The text ends with the differences between the source texts of the two charts.
+// The text contains the verdict and its assumptions. If the charts differ, the text then lists the distinguishing scans
+// with the outputs of both charts. The text ends with the differences between the source texts of the two charts.
 //
 // JSON: missing values are null.
 //

@@ -92,7 +92,7 @@ void print_non_monotone(const FaultAnalysis& analysis, std::ostream& out) {
     }
 }
 
-/// Returns the properties that this single fault violates without other faults.
+/// Returns the properties that are violated if only the fault `fault` occurs.
 std::vector<std::string> violated_by(const FaultAnalysis& analysis, std::size_t fault) {
     std::vector<std::string> names;
     for (const FaultAnalysis::Row& row : analysis.rows)
@@ -101,7 +101,7 @@ std::vector<std::string> violated_by(const FaultAnalysis& analysis, std::size_t 
     return names;
 }
 
-/// Returns the properties that a minimal combination of this fault with other faults violates.
+/// Returns the properties that are violated by a minimal combination of the fault `fault` with other faults.
 std::vector<std::string> violated_with_others(const FaultAnalysis& analysis, std::size_t fault) {
     std::vector<std::string> names;
     for (const FaultAnalysis::Row& row : analysis.rows)
@@ -246,7 +246,7 @@ std::string runs_text(const FaultAnalysis::Observer& observer) {
     return observer.in_every_run == Outcome::Holds ? after_fault(observer.within_ms) : "in some run with the fault";
 }
 
-/// Returns the end of the sentence on the elements that only the fault makes true.
+/// Returns the end of the sentence that names the steps and outputs that become true only with the fault.
 std::string detection_text(const FaultAnalysis::Visible& visible) {
     if (visible.detected == Outcome::Holds) return "; " + after_fault(visible.within_ms);
     std::string text;
@@ -335,8 +335,8 @@ std::string faults_json(const FaultAnalysis& analysis, const Sources& sources) {
 
 namespace {
 
-/// Returns the formula of the gate of a property: the disjunction of its minimal combinations of faults. `events`
-/// contains the names of the faults.
+/// Returns the formula of a property's gate in the fault tree: the disjunction of its minimal combinations of faults.
+/// `events` contains the names of the faults.
 std::string formula_of(const FaultAnalysis::Row& row, std::span<const std::string> events) {
     if (row.minimal.empty()) return "      <constant value=\"false\"/>\n";
     const bool several = row.minimal.size() > 1;
@@ -361,8 +361,8 @@ std::string label(const std::string& text) {
     return xml + "</label>";
 }
 
-/// Returns XML comments about the results for the property that its gate cannot express: unknown verdicts, unproved
-/// minimality, and non-monotone combinations.
+/// Returns XML comments with those results for a property that its gate in the fault tree cannot express: unknown
+/// verdicts, unproved minimality, and non-monotone combinations.
 std::string gate_comments(const FaultAnalysis& analysis, const FaultAnalysis::Row& row) {
     std::string xml;
     if (!row.open.empty()) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Writes results of a fault analysis as text, as JSON, and as a fault tree in the Open-PSA Model Exchange Format.
 //
-// The text contains a table of the minimal combinations for each property, the effects of each fault (FMEA), and runs.
+// The text contains, for each property, a table of the minimal combinations of faults that violate it, the effects of
+// each fault (FMEA), and runs.
 //
 // JSON: missing values are null. `trace` has the format of report/json.hpp.
 //
@@ -25,26 +26,27 @@
 
 namespace grafverif {
 
-/// Returns the names of the faults of a combination, such as `V_stuck + H_stuck`; `no fault` if it is empty.
+/// Returns the names of the faults of a combination, such as `V_stuck + H_stuck`. For the empty combination, returns
+/// `no fault`.
 std::string names_of(const FaultAnalysis& analysis, const FaultSet& faults);
 /// Returns text such as `minimality is unproved: V_stuck, H_stuck have the verdict unknown`; empty if the combination
 /// is proved to be minimal.
 std::string unproved(const FaultAnalysis& analysis, const FaultAnalysis::Cut& cut);
 /// Returns the reason why a combination has no trace.
 std::string absence_of_trace(const FaultAnalysis::Row& row, const FaultAnalysis::Cut& cut);
-/// True if the results for a property are shown. The row of an undeclared `no timelock` is omitted if this property
+/// True if the report shows the results for a property. The report omits an undeclared `no timelock` if this property
 /// holds without faults and for all checked combinations.
 bool is_shown(const FaultAnalysis::Row& row);
 
 /// The effects of a fault, one sentence each.
 struct FaultEffects {
     std::vector<std::string> on_properties = {};
-    std::vector<std::string> visible = {};  ///< effects on steps and outputs
+    std::vector<std::string> visible = {};  ///< effects of the fault on steps and outputs
 };
 FaultEffects effects_of(const FaultAnalysis& analysis, std::size_t fault);
 
-/// If `all_runs` is true, prints a run for each minimal combination, otherwise only for the first minimal combination
-/// of each property.
+/// Prints the analysis as text. If `all_runs` is true, prints a run for each minimal combination, otherwise only for
+/// the first minimal combination of each property.
 void print_faults(const FaultAnalysis& analysis, bool all_runs, std::ostream& out);
 std::string faults_json(const FaultAnalysis& analysis, const Sources& sources);
 /// Returns a fault tree with a gate per property: the disjunction of its minimal combinations. A name in the tree is

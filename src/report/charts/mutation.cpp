@@ -19,8 +19,8 @@ using ResultKind = MutantResult::Kind;
 /// printed.
 constexpr std::size_t most_listed = 3;
 
-/// `noticed`: number of detected mutants. `decided`: number of mutants that the score includes; refused and equivalent
-/// mutants are excluded.
+/// A mutation score. `noticed`: number of detected mutants. `decided`: number of mutants that the score includes;
+/// rejected and equivalent mutants are excluded.
 struct Score {
     std::size_t noticed = 0, decided = 0;
 };
@@ -41,8 +41,8 @@ Score of_specification(const Mutation& mutation) {
     return {noticed, noticed + count_of(mutation, ResultKind::Unnoticed)};
 }
 
-/// Returns the score of the test sequence. The score includes only mutants whose outputs are known to differ from those
-/// of the original.
+/// Returns the score of the test sequence. The score includes only mutants whose outputs are known to differ from the
+/// outputs of the original.
 Score of_tests(const Mutation& mutation) {
     Score score;
     for (const auto& mutant_result : mutation.results) {
@@ -69,8 +69,8 @@ bool is_vacuous(const Mutation& mutation, const std::string& property) {
     return std::ranges::find(mutation.vacuous, property) != mutation.vacuous.end();
 }
 
-/// Returns the rounded percentage of detected mutants. It is 100 % only if all mutants were detected, and 0 % only if
-/// no mutant was detected.
+/// Returns the rounded percentage of detected mutants. The result is 100 % only if all mutants were detected, and 0 %
+/// only if no mutant was detected.
 std::string percent(const Score& score) {
     if (score.decided == 0) return "";
     const std::size_t rounded = (200 * score.noticed + score.decided) / (2 * score.decided);

@@ -18,10 +18,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Returns the length of the final interval of the recording in which a deviation may remain undetected: four times the
-/// jitter and twice the maximum offset of a clock. An instant reads an input within one jitter. The output of this
-/// instant is recorded within two further jitters. In addition, the recording must be known for one jitter after the
-/// next instant. A clock with a negative offset records a change earlier, and the recording is known up to a time when
-/// all clocks have passed this time.
+/// jitter plus twice the maximum offset of a clock. The controller reads an input within one jitter after its change.
+/// The resulting output is recorded within two further jitters. In addition, the recording must be known for one jitter
+/// after the next instant. Twice the offset is added: a clock with a negative offset records a change earlier, and the
+/// recording is known up to a time only when all clocks have passed this time.
 std::int64_t undecided_us(const RecordingReport& report) {
     return std::min(4 * report.jitter_us + 2 * report.skew_us, report.last_us - report.first_us);
 }

@@ -11,7 +11,7 @@
 
 namespace grafverif {
 
-/// Returns text about a time of a recording, such as `5.14 s`.
+/// Returns a time of a recording as text, such as `5.14 s`. `us` is in microseconds.
 std::string recording_time_text(std::int64_t us);
 /// Returns text about the output that deviates, such as "`HORN` is 0, but the chart sets it to 1 at 5.14 s".
 std::string deviation_text(const Deviation& deviation);

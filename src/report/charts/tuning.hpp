@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Writes results of tuning as text and as JSON.
 //
-// For each property, the text contains the verdict if it is the same at all points. If the verdict differs between
-// points, the text contains a table of intervals (one constant), a map with one character per point (two constants), or
-// a table of boxes. Then the text lists the margins. A margin is the smallest change of one
-// constant from its current value that changes the verdict, while all other constants keep their current values.
+// A point is one combination of values of the tuned constants. If the verdict on a property is the same at all points,
+// the text contains this verdict. If the verdict differs between points, the text contains a table of intervals (one
+// constant), a map with one character per point (two constants), or a table of boxes. Then the text lists the margins.
+// A margin is the smallest change of one constant from its current value that changes the verdict, while all other
+// constants keep their current values.
 //
 // JSON: missing values are null.
 //
@@ -37,16 +38,16 @@ std::string range_text(const TunedConstant& constant, std::size_t first, std::si
 std::string grid_text(const TunedConstant& constant);
 /// Returns the verdict as text; for an unknown verdict, with its reason.
 std::string verdict_text(const Tuning& tuning, const PointVerdict& verdict);
-/// True if the results for a property are shown. The row of an undeclared `no timelock` is shown only if it is violated
-/// at a point, or if a model error makes its verdict at a point unknown.
+/// True if the report shows the results for a property. An undeclared `no timelock` is shown only if it is violated at
+/// a point, or if a model error makes its verdict at a point unknown.
 bool is_shown(const Tuning& tuning, const Tuning::Row& row);
 /// True if the verdicts are the same at all points.
 bool is_uniform(const Tuning::Row& row);
 /// Maximum number of columns and of rows of a map. Larger grids are shown as tables of boxes.
 inline constexpr std::size_t widest_map = 40, tallest_map = 60;
 
-/// Returns disjoint boxes that cover the grid, each with one verdict on the property of `row`, in the order of their
-/// first points.
+/// Returns disjoint boxes (ranges of values for all constants) that cover the grid. Each box has one verdict on the
+/// property of `row`. The boxes are in the order of their first points.
 std::vector<GridBox> boxes_of(const Tuning& tuning, const Tuning::Row& row);
 
 /// The value of a constant that is nearest to its current value and at which the verdict differs from the verdict for

@@ -28,7 +28,7 @@ std::string decided_text(const PropertyResult& answer) {
 
 std::vector<std::string> remedies_text(const std::vector<Trial>& trials, bool durations) {
     if (trials.empty()) return {};
-    constexpr std::size_t most = 6;  // maximum number of verdicts in a line
+    constexpr std::size_t most = 6;  // maximum number of verdicts in one line of text
     const auto duration = [&](std::string_view before, double seconds, std::string_view after) {
         return durations ? fmt::format("{}{:.1f} s{}", before, seconds, after) : "";
     };

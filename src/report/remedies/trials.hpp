@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Trial of a remedy: other options of `check`, for the properties that a check left open because of a limit.
+// Trial of a remedy: `check` with other options, for the properties that a check could not decide within a limit.
 #pragma once
 
 #include <iosfwd>
@@ -11,7 +11,7 @@
 namespace grafverif {
 
 struct Trial {
-    std::string options = {};  ///< options to add to the command, where they replace options of the same name
+    std::string options = {};                  ///< options to add to the command; they replace options of the same name
     std::vector<PropertyResult> decided = {};  ///< results for open properties, without traces
     double seconds = 0;                        ///< duration of the trial
 

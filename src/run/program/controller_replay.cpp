@@ -14,7 +14,8 @@ ProgramControllerReplay::ProgramControllerReplay(const ChartRun& run, const Char
     : run_(&run), controller_(&controller), interpreter_(program), scans_(run, controller) {
     const std::vector<std::string> names = unique_names(interpreter_.layout());
     const std::string prefix = run.controllers.size() > 1 ? controller.name + "." : "";
-    std::map<std::string, Id<ChartRun::Signal>> internals;  // the run omits variables on which nothing depends
+    // The run omits variables on which no property or output depends.
+    std::map<std::string, Id<ChartRun::Signal>> internals;
     for (const Id<ChartRun::Signal> signal : controller.internals) internals[run.signals[signal].name] = signal;
     for (const std::size_t i : variable_cells(interpreter_.layout())) {
         const ProgramCell& cell = interpreter_.layout().cells[i];
@@ -45,7 +46,7 @@ std::string ProgramControllerReplay::does(const ChartRun::Act& act, const ChartR
     if (act.starts || act.evolves) {
         const std::vector<std::int64_t> earlier = kept(), unseen = hidden();
         if (std::string fault = scan(act, after); !fault.empty() || over_) return fault;
-        // The run does not show the variables of timers and charts that a program cannot read.
+        // The run does not contain the internal variables of timers and SFC charts that a program cannot read.
         const bool changes = kept() != earlier, changes_hidden = hidden() != unseen;
         if (act.stable && changes && *act.stable)
             return "the scan changes nothing, but according to the program it changes a variable";
@@ -131,7 +132,7 @@ namespace {
 void replay_free_scans(const ChartRun& run, const Program& program,
                        const std::function<bool(std::size_t event, const ScanLog& log)>& visit) {
     ProgramRun interpreter(program);
-    std::map<std::string, std::size_t> places;  // of each input in the inputs of an act
+    std::map<std::string, std::size_t> places;  // index of each input among the inputs of an act
     for (const Id<ChartRun::Signal> signal : run.controllers[{0}].inputs)
         places.emplace(run.signals[signal].name, places.size());
     for (std::size_t event = 0; event < run.moments.size() && !interpreter.fault(); ++event)

@@ -25,10 +25,11 @@ public:
     /// Lets `milliseconds` pass. Returns an error message if the task cycle does not allow this delay; otherwise an
     /// empty string.
     std::string pass(std::int64_t milliseconds);
-    /// Executes an act. Returns the differences between the run and the program, or an empty string if they agree.
+    /// Executes an act of the controller in the run. Returns the differences between the run and the program, or an
+    /// empty string if they agree.
     std::string does(const ChartRun::Act& act, const ChartRun::State& before, const ChartRun::State& after);
 
-    /// Adds the statements of the following scans to `log`, unless it is null.
+    /// From now on, adds the executed statements of each scan to `log`, unless `log` is null.
     void write_to(ScanLog* log) { log_ = log; }
 
     /// Returns the number of scans after the first one.

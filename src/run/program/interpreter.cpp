@@ -133,8 +133,8 @@ ProgramRun::Flow ProgramRun::loop(Id<Program::Statement> id, std::size_t frame) 
 
 // -- expressions ------------------------------------------------------------------------------------------------------
 
-/// Returns the address of a cell. An index outside its bounds is a fault; the address is then computed with the lowest
-/// index.
+/// Returns the address of a cell. An index outside its bounds is a fault; in this case, the address is computed with
+/// the lowest index.
 std::size_t ProgramRun::address(const Program::Place& place, std::size_t frame, Span origin) {
     std::size_t found = place.global ? place.offset : frame + place.offset;
     for (const Program::Index& index : place.indices) {
@@ -176,8 +176,8 @@ std::int64_t ProgramRun::evaluate(Id<Program::Node> id, std::size_t frame) {
     }
 }
 
-/// Evaluates a condition or selector, and logs its value. The value of a variable is not logged again, because reading
-/// the variable has already logged it.
+/// Evaluates the condition or selector of a statement, and logs its value. If the condition is a variable, its value is
+/// not logged twice, because reading the variable has already logged it.
 std::int64_t ProgramRun::decision(Id<Program::Node> id, std::size_t frame) {
     const std::int64_t value = evaluate(id, frame);
     if (log_ != nullptr && program_->nodes[id].op != Op::Read) log_->nodes.push_back({id, frame, value});

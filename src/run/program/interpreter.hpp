@@ -17,11 +17,12 @@ struct ScanLog {
     template <class T>
     struct Evaluation {
         Id<T> id = {};
-        std::size_t frame = 0;  ///< first cell of the executing instance; for a function, a cell after the layout
+        /// First cell of the executing instance; for a function, a cell after the cells of the layout.
+        std::size_t frame = 0;
         std::int64_t value = 0;
     };
-    /// Assignments with the assigned values, FOR with its variable at the beginning of each iteration; calls, EXIT and
-    /// RETURN with the value 1.
+    /// Assignments have the assigned value; FOR has the value of its variable at the beginning of each iteration;
+    /// calls, EXIT and RETURN have the value 1.
     std::vector<Evaluation<Program::Statement>> statements = {};
     /// The variables that were read, the conditions of branches and loops, and the selectors of CASE.
     std::vector<Evaluation<Program::Node>> nodes = {};
@@ -34,7 +35,7 @@ public:
     explicit ProgramRun(const Program& program);
 
     /// Executes one scan. `inputs` contains a value for each cell that is an input, in order. `elapsed_ms` is the time
-    /// since the previous scan. If `log` is not null, the scan is added to it.
+    /// since the previous scan. If `log` is not null, the executed statements are added to `log`.
     void scan(std::span<const std::int64_t> inputs, std::int64_t elapsed_ms, ScanLog* log = nullptr);
 
     const ProgramLayout& layout() const { return layout_; }
@@ -44,7 +45,7 @@ public:
         Span where = {};
         ProgramFault kind = ProgramFault::DivisionByZero;
     };
-    /// Returns the fault that ended the run, or nothing if no fault has occurred. The last scan of such a run is
+    /// Returns the fault that ended the run, or nothing if no fault has occurred. After a fault, the last scan is
     /// incomplete.
     const std::optional<Fault>& fault() const { return fault_; }
     /// True if a result in the last scan was outside the range of its type and was wrapped around.
@@ -80,7 +81,7 @@ private:
     std::vector<std::int64_t> memory_ = {};  ///< the cells, followed by the frames of active functions
     std::optional<Fault> fault_ = {};
     bool overflowed_ = false;
-    ScanLog* log_ = nullptr;  ///< during a scan
+    ScanLog* log_ = nullptr;  ///< set during a scan
 };
 
 }  // namespace grafverif

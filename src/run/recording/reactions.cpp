@@ -51,7 +51,7 @@ Reactions::Reactions(const Chart& chart, std::size_t most_bytes)
 
 StatePointer Reactions::unique(State state) {
     std::string key = key_of(state);
-    const std::size_t size = 2 * key.size();  // of the key and the state
+    const std::size_t size = 2 * key.size();  // size of the key and of the state, in bytes
     StatePointer& known = states_[std::move(key)];
     if (known) return known;
     bytes_ += size;

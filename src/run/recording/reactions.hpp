@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reactions: the reactions of a chart to its inputs and to elapsed times, without the times themselves. The interpreter
-// executes the reactions on a copy of the chart in which each duration is 2 ms. In this copy, the elapsed time of a
+// computes the reactions on a copy of the chart in which each duration is 2 ms. In this copy, the elapsed time of a
 // running delay is 1 ms, and that of an expired delay is 2 ms. The caller knows the real times and decides which delays
 // have expired.
 #pragma once
@@ -22,11 +22,12 @@ inline void append_number(std::string& key, std::uint64_t value) {
     for (unsigned byte = 0; byte < 8; ++byte) key += static_cast<char>(value >> (8U * byte));
 }
 
-/// One cycle with stability search.
+/// The result of one cycle with stability search.
 struct Reaction {
     StatePointer before = {}, after = {};
     std::vector<std::vector<Id<Chart::Transition>>> fired = {};  ///< cleared transitions per evolution
-    /// For each timed element: true if its t1 or its t2 starts in this cycle.
+    /// For each timed element: true if its rise time t1 (`rise_starts`) or its fall time t2 (`fall_starts`) starts in
+    /// this cycle.
     std::vector<bool> rise_starts = {}, fall_starts = {};
     std::string problem = {};  ///< reason why the cycle has no result; empty if the cycle has a result
 };
@@ -36,7 +37,8 @@ public:
     /// Requires a chart that `derive` accepts. The tables are cleared when their approximate size exceeds `most_bytes`.
     Reactions(const Chart& chart, std::size_t most_bytes);
 
-    /// Returns the executed copy of the chart. The durations of the copy differ from those of the original.
+    /// Returns the executed copy of the chart. The durations in the copy differ from the durations in the original
+    /// chart.
     const Chart& chart() const { return chart_; }
 
     StatePointer initial() { return unique(power_on(chart_)); }
@@ -52,14 +54,14 @@ private:
 
     Chart chart_;
     std::vector<TimedElement> elements_;
-    // A chart with counters can have any number of states. Equal states are the same object only as long as the table
-    // contains them.
+    // The tables are limited, because a chart with counters can have any number of states. Equal states are the same
+    // object only as long as the table contains them.
     std::size_t most_bytes_, bytes_ = 0;
     std::unordered_map<std::string, StatePointer> states_ = {};
     std::unordered_map<std::string, std::shared_ptr<const Reaction>> reactions_ = {};
 };
 
-/// True if the t1 (t2) of an element is running after a reaction.
+/// True if the rise time (`rises`) or the fall time (`falls`) of an element is running after a reaction.
 inline bool rises(const Timing& timing) { return timing.risen == 1; }
 inline bool falls(const Timing& timing) { return timing.fallen == 1; }
 

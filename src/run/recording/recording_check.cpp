@@ -13,7 +13,7 @@ namespace grafverif {
 namespace {
 
 constexpr std::uint64_t most_reactions = 1'000'000;  ///< maximum number of reactions for one sample
-constexpr std::size_t most_successors = 40'000;      ///< maximum number of successors of an instant
+constexpr std::size_t most_successors = 40'000;      ///< maximum number of successors of a hypothesis
 constexpr std::uint64_t poll_interval = 1'024;       ///< reactions between two calls of `stopped`
 
 }  // namespace
@@ -26,8 +26,8 @@ public:
 
     enum class Result { Waits, Ends, Continues };
 
-    /// Returns Waits if the next instant may be later than `known_`, so that more samples are needed, and Ends if no
-    /// successor exists.
+    /// Returns Waits if the next instant may be later than `known_`, so that more samples are needed. Returns Ends if
+    /// the hypothesis has no successor.
     Result run() {
         std::optional<Zone> next = check_.zone_of_next(from_);
         if (!next) return Result::Ends;
@@ -60,8 +60,8 @@ private:
         }
     }
 
-    /// Chooses the running times that have elapsed, from index `k` on. `caused` is true if an elapsed time was already
-    /// chosen.
+    /// Chooses which running delays have elapsed at the next instant, from index `k` on. `caused` is true if an elapsed
+    /// delay was already chosen.
     void choose_elapsed(std::size_t k, const Zone& zone, bool caused) {
         if (check_.limit_ != Limit::None) return;
         if (k == running_.size()) return choose_inputs(0, zone, caused);
@@ -116,8 +116,8 @@ private:
         write_outputs(0, std::move(next));
     }
 
-    /// Notes a model error of the instant if a later instant can still observe each change that this instant does not
-    /// observe.
+    /// Notes a model error of the instant if each change that this instant does not observe can still be observed by a
+    /// later instant.
     void note_problem(Zone zone, const std::string& problem) const {
         if (!check_.problem_.empty()) return;
         for (std::size_t k = 0; k < check_.signals_.size(); ++k)
@@ -128,7 +128,7 @@ private:
         check_.problem_time_ = time_of_instant(zone);
     }
 
-    /// Explains the changes of the outputs, from signal `k` on.
+    /// Assigns the changes of the outputs in the instant to recorded changes, from signal `k` on.
     void write_outputs(std::size_t k, Hypothesis next) {
         if (check_.limit_ != Limit::None) return;
         if (k == check_.signals_.size()) return finish(std::move(next));
@@ -199,8 +199,8 @@ private:
         return std::clamp(cause_time(zone), zone.lower(now_), zone.upper(now_));
     }
 
-    /// Returns the time of the latest event that the instant observes, which is the time of the instant if the
-    /// controller reacts immediately.
+    /// Returns the time of the latest event that the instant observes. If the controller reacts immediately, this is
+    /// the time of the instant.
     Ticks cause_time(const Zone& zone) const {
         Ticks time = from_.history ? from_.typical[last] : check_.begin_;
         for (const Running& running : running_)
@@ -297,7 +297,7 @@ void RecordingCheck::record(const RecordedSample& sample) {
     }
 }
 
-/// Expands the hypotheses, in the order of the number of their instants, until each of them waits.
+/// Expands the hypotheses, in the order of the number of their instants, until each of them needs further samples.
 void RecordingCheck::advance() {
     std::vector<Hypothesis> waiting, open = std::move(hypotheses_);
     hypotheses_.clear();
@@ -328,15 +328,16 @@ void RecordingCheck::advance() {
     drop_used_changes();
 }
 
-/// Notes the output that ends the hypothesis, if this hypothesis explains a longer part of the recording than all other
-/// hypotheses so far.
+/// Notes the output with which the hypothesis contradicts the recording, if this hypothesis explains a longer part of
+/// the recording than all other hypotheses so far.
 void RecordingCheck::end(const Hypothesis& hypothesis) {
     const Ticks jitter = settings_.jitter;
     const auto latest = [&](const Change& change) {
         return change.time + hypothesis.zone.upper(change.clock) + jitter;
     };
-    Ticks other =
-        Zone::unbounded;  // deadline of an event that another hypothesis observes together with an earlier event
+    // Earliest deadline of a delay or an input change. If it precedes the deadline of the output, the output does not
+    // end the hypothesis: another hypothesis observes the delay or input change together with an earlier event.
+    Ticks other = Zone::unbounded;
     for (std::size_t k = 0; k < elements_.size(); ++k) {
         const auto deadline = [&](std::size_t start, std::int64_t milliseconds) {
             if (start == 0) return;
@@ -383,7 +384,7 @@ std::optional<Zone> RecordingCheck::zone_of_next(const Hypothesis& from) const {
     return zone;
 }
 
-/// Removes the bounds of the last instant if they do not restrict the next instant.
+/// Removes the bounds of the last instant from the zone if they do not restrict the next instant.
 void RecordingCheck::relax(Hypothesis& hypothesis) const {
     for (const auto* const list : {&hypothesis.rise, &hypothesis.fall, &hypothesis.hidden})
         if (std::ranges::find(*list, last) != list->end()) return;
@@ -396,8 +397,8 @@ void RecordingCheck::relax(Hypothesis& hypothesis) const {
         next = std::min(next, recorded + hypothesis.zone.lower(clock));
     }
     next -= settings_.jitter;
-    // The next instant either observes a change of an input, and is then not before `next`, or it observes that a time
-    // has elapsed after the last instant.
+    // The next instant observes a change of an input, so that it is not before `next`, or it observes that a delay has
+    // elapsed after the last instant.
     if (hypothesis.zone.upper(last) < next) hypothesis.zone.assign(last, begin_ - settings_.jitter - 1);
 }
 
@@ -405,9 +406,9 @@ void RecordingCheck::poll() {
     if (settings_.stopped && settings_.stopped()) limit_ = Limit::Stopped;
 }
 
-/// Adds to `hypothesis` the timings of all hypotheses at the places `same` of `list` for which the union is a zone.
-/// Removes their places, and returns the number of these hypotheses, whose `state` is then empty. The history of
-/// `hypothesis` does not change; it is a run of the chart to the same state with the same changes.
+/// Joins with `hypothesis` each hypothesis at an index in `same` of `list` for which the union of the zones is a zone.
+/// Removes the indices of the joined hypotheses from `same`, clears their `state`, and returns their number. The
+/// history of `hypothesis` does not change: its run of the chart leads to the same state with the same changes.
 std::size_t RecordingCheck::join(Hypothesis& hypothesis, std::vector<std::size_t>& same,
                                  std::vector<Hypothesis>& list) {
     const std::size_t before = same.size();

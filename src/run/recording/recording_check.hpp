@@ -8,31 +8,32 @@
 //              one input are observed in their order. If an instant observes several changes of one input, it reads the
 //              last value.
 //              Changes of different inputs may be observed in any order
-//   times      an instant observes that a time T of the chart, which started at instant s, has elapsed if and only if
-//              the instant is at or after s + T; at least one instant is in [s + T, s + T + J], unless the time has
-//              been stopped
+//   times      an instant observes that a delay T of the chart, which started at instant s, has elapsed if and only if
+//              the instant is at or after s + T; at least one instant is in [s + T, s + T + J], unless the delay was
+//              stopped before
 //   outputs    each change of an output by an instant e is recorded at a time in [e - J, e + J]. The changes of one
 //              output are recorded in their order. If several changes are recorded at the same time, only the last
 //              value is visible. The resulting values are the recorded values of the output. Before the first sample,
 //              the output has its initial value
 // An instant reads the inputs once. If an instant has a model error (total instability, race, value out of range), the
 // timing ends at this instant; if no other timing is admissible, the verdict is unknown. Each instant observes a change
-// of an input, or that a time has elapsed. The recording deviates if it has no admissible timing, independently of its
-// continuation after the last sample.
+// of an input, or that a delay has elapsed. The recording deviates from the chart if no admissible timing exists for
+// any continuation after the last sample.
 //
-// The recorded times of some variables can be those of other clocks. Each of these clocks has a constant offset, which
-// is unknown, but has a bound. A change that is recorded at the time t of such a clock occurred at the time t - offset,
-// which is after the first sample. The first sample contains the values of all variables at its time. Instants and
-// elapsed times are those of the controller. A timing is admissible if it satisfies the conditions for some offsets
+// The recorded times of some variables can be times of other clocks. Each of these clocks has a constant offset, which
+// is unknown but bounded. A change that is recorded at time t of such a clock occurred at time t - offset, which is
+// after the first sample. The first sample contains the values of all variables at its time. Instants and delays are
+// measured by the clock of the controller. A timing is admissible if it satisfies the conditions for some offsets
 // within the bounds.
 //
-// Method: a hypothesis is a state of the chart with a zone of the instants that matter for its future. All hypotheses
-// together represent all admissible timings up to the current time. Each hypothesis is expanded as soon as the
-// recording is known up to J after the next instant of the hypothesis. The zone also contains the negated offset of
-// each clock. Thus the conditions for recorded times remain bounds of differences, and the check has the same
-// precision for unknown offsets. To limit the number of hypotheses, hypotheses that differ only in their zones are
-// joined if the union of the zones is a zone. A change of an output is assigned to the next recorded change of this
-// output if possible. This rule excludes no admissible timing, because later changes can replace the earlier one.
+// Method: a hypothesis is a state of the chart, with a zone (bounds of differences) over the instants that matter for
+// its future. All hypotheses together represent all admissible timings up to the current time. Each hypothesis is
+// expanded as soon as the recording is known up to J after the next instant of the hypothesis. The zone also contains
+// the negated offset of each clock. Thus the conditions for recorded times remain bounds of differences, and the check
+// has the same precision for unknown offsets. To limit the number of hypotheses, hypotheses that differ only in their
+// zones are joined if the union of the zones is a zone. If possible, a change of an output is assigned to the next
+// recorded change of this output. This rule excludes no admissible timing, because a later change of the output can be
+// assigned to the same recorded change.
 #pragma once
 
 #include <cstddef>
@@ -55,7 +56,8 @@ struct RecordingSettings {
     Ticks jitter = 20'000;
     Ticks ticks_per_ms = 1'000;
     std::size_t most_hypotheses = 10'000;
-    std::uint64_t shown_instants = 16;                 ///< minimum number of stored instants of a long timing
+    /// Minimum number of instants that are stored for the history of a long timing.
+    std::uint64_t shown_instants = 16;
     std::size_t table_bytes = std::size_t{64} << 20U;  ///< approximate size of the tables of reactions
     std::function<bool()> stopped = {};                ///< returns true if the check must end; may be empty
     std::vector<Ticks> clocks = {};                    ///< for each further clock: maximum absolute value of its offset
@@ -68,7 +70,7 @@ struct RecordedValue {
     std::uint64_t line = 0;
 };
 
-/// Values of chart variables that are recorded at the same time. Times do not decrease.
+/// Values of chart variables that are recorded at the same time. The times of successive samples do not decrease.
 struct RecordedSample {
     Ticks time = 0;
     std::uint64_t line = 0;
@@ -80,8 +82,8 @@ public:
     /// `outputs` are the recorded outputs. `chart` must outlive the check.
     RecordingCheck(const Chart& chart, const std::vector<Id<Chart::Variable>>& outputs, RecordingSettings settings);
 
-    /// Adds a sample; the first has a value for each input and each recorded output. Returns false if the verdict is
-    /// final.
+    /// Adds a sample. The first sample has a value for each input and each recorded output. Returns false if the
+    /// verdict is final.
     bool add(const RecordedSample& sample);
     /// Declares that all samples before `time` have been added, and continues the check as far as these samples
     /// determine it. Requires that at least one sample has been added. Returns false if the verdict is final.
@@ -106,7 +108,7 @@ private:
         Id<Chart::Variable> variable = {};
         bool input = false;
         std::size_t clock = 0;    ///< variable of the zone: the negated offset of the clock, or 0
-        std::int64_t last = 0;    ///< value of the last sample
+        std::int64_t last = 0;    ///< value of the signal in the last sample
         std::uint64_t first = 0;  ///< position of the first stored change
         std::deque<Change> changes = {};
 
@@ -114,12 +116,12 @@ private:
             return position - first < changes.size() ? &changes[position - first] : nullptr;
         }
     };
-    /// An instant of a timing, and the instants before it, as far as they are stored.
+    /// An instant of a timing, with a pointer to the previous instant if that instant is stored.
     struct Instant {
         std::shared_ptr<Instant> previous = {};
         std::shared_ptr<const Reaction> reaction = {};
         std::vector<std::int64_t> inputs = {};
-        Ticks time = 0;  ///< a typical time of the instant
+        Ticks time = 0;  ///< a possible time of the instant, for display
         std::uint64_t number = 0;
     };
     struct Hypothesis {
@@ -127,16 +129,18 @@ private:
         std::vector<std::int64_t> inputs = {};   ///< for each variable: last value of an input that was read
         std::vector<std::uint64_t> used = {};    ///< for each signal: number of observed or explained changes
         std::vector<std::int64_t> visible = {};  ///< for each output signal: the recorded value after the used changes
-        Zone zone = {};                          ///< its variables begin with `last` and the clocks
-        /// For each timed element: zone variable of the instant at which t1 (t2) started, or 0 if it is not running.
+        /// Zone over the instants; its first variables are `last` and the clocks.
+        Zone zone = {};
+        /// For each timed element: zone variable of the instant at which its rise time (fall time) started, or 0 if it
+        /// is not running.
         std::vector<std::size_t> rise = {}, fall = {};
-        /// For each output signal: zone variable of the first instant whose change of the output is not recorded yet,
-        /// or 0 if there is no such instant.
+        /// For each output signal: zone variable of the first instant whose change of the output is not yet assigned to
+        /// a recorded change, or 0 if there is no such instant.
         std::vector<std::size_t> hidden = {};
         std::vector<Ticks> typical = {};  ///< for each variable of the zone: a typical time, to be printed
         std::shared_ptr<Instant> history = {};
     };
-    /// The end of the timing that explains the longest part of the recording.
+    /// The end of the timing that agrees with the longest part of the recording.
     struct End {
         Ticks deadline = 0;
         std::size_t signal = 0;
@@ -144,8 +148,8 @@ private:
         Hypothesis hypothesis = {};
         Change change = {};
     };
-    /// The limit that ended the check: number of hypotheses, number of reactions between two samples, or a stop by the
-    /// caller.
+    /// The limit that ended the check: the number of hypotheses (Orders), the number of reactions for one sample
+    /// (Reactions), or a stop by the caller (Stopped).
     enum class Limit : std::uint8_t { None, Orders, Reactions, Stopped };
     class Expansion;
 
@@ -175,7 +179,7 @@ private:
     /// For each variable: index in signals_ + 1, or 0 if the variable has no signal.
     std::vector<std::size_t> signal_of_ = {};
     std::vector<Hypothesis> hypotheses_ = {};
-    std::deque<std::pair<Ticks, std::uint64_t>> lines_ = {};  ///< last samples: time and line
+    std::deque<std::pair<Ticks, std::uint64_t>> lines_ = {};  ///< time and line of the last samples
     bool begun_ = false;
     Ticks begin_ = 0, now_ = 0;
     Ticks known_ = 0;  ///< instants up to this time can be expanded

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The verdict of RecordingCheck: kind, reason, deviation, run and offsets of clocks.
+// Determines the verdict of RecordingCheck: kind, reason, deviation, run and offsets of clocks.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -60,8 +60,9 @@ Deviation RecordingCheck::deviation() const {
     return result;
 }
 
-/// For each clock: the range of its offset in the timings that are admissible so far. Without such a timing: in the
-/// timing that explains most of the recording, or nothing if a limit or a model error ended the check.
+/// Returns, for each clock, the range of its offset in the timings that are admissible so far. If there is no such
+/// timing, the range is that of the timing that agrees with the longest part of the recording. If a limit or a model
+/// error ended the check, the result is empty.
 std::vector<ClockOffset> RecordingCheck::offsets() const {
     std::vector<Zone> zones;
     for (const Hypothesis& hypothesis : hypotheses_)

@@ -34,7 +34,7 @@ bool Zone::constrain(std::size_t x, std::size_t y, Ticks bound) {
 void Zone::assign(std::size_t x, Ticks value) {
     for (std::size_t y = 0; y < size_; ++y) {
         if (y == x) continue;
-        // x - y = (x - 0) + (0 - y)
+        // uses x - y = (x - 0) + (0 - y)
         at(x, y) = at(0, y) >= unbounded ? unbounded : value + at(0, y);
         at(y, x) = at(y, 0) >= unbounded ? unbounded : at(y, 0) - value;
     }

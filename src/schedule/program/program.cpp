@@ -36,8 +36,8 @@ public:
             main().symbols[symbol].kind =
                 System::StateSymbol{literal(exprs(), variable.type, variable.initial), copy(stored.next)};
         }
-        Id<Expr> valid = exprs().constant(true);     // no fault has occurred up to the end of this scan
-        Id<Expr> complete = exprs().constant(true);  // no fault has occurred in earlier scans
+        Id<Expr> valid = exprs().constant(true);     // condition that no fault has occurred up to the end of this scan
+        Id<Expr> complete = exprs().constant(true);  // condition that no fault has occurred in earlier scans
         if (!faults.empty()) {
             for (Id<Expr>& fault : faults) fault = copy(fault);
             const Id<Expr> fault = exprs().disjunction(faults);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // schedule_program: translates a Scan to a TransitionSystem. A state consists of the stored variables before a scan and
 // of the inputs of this scan, which are free. One step is one scan. A property concerns the values at the end of the
-// scan. It is expressed as a term over the state before the scan, so that inputs need not be copied. The system omits
-// stored variables on which no property depends.
+// scan. The property is expressed as a term over the state before the scan, so that inputs need not be copied. The
+// system omits stored variables on which no property depends.
 #pragma once
 
 #include <optional>
@@ -28,7 +28,7 @@ struct ScanProperty {
 
 struct ProgramSystem {
     TransitionSystem system = {};
-    /// Symbol of each variable of the equations; invalid if no property depends on it.
+    /// Symbol of each variable of the equations; invalid if no property depends on the variable.
     std::vector<Id<TransitionSystem::Symbol>> symbols = {};
     /// The property that no scan has a fault; invalid if faults are impossible.
     Id<Property> no_fault = {};

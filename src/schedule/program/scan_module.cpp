@@ -73,7 +73,7 @@ private:
         draft_.set(symbol, TransitionSystem::StateSymbol{initial, exprs().conditional(draft_.leaf(turn_), next, kept)});
     }
 
-    /// Adds a flag that remains set after `cause`; invalid if the cause is impossible.
+    /// Adds a flag that remains set after `cause` has been true. The result is invalid if `cause` is never true.
     Id<Symbol> add_flag(const char* preferred, Id<Expr> cause) {
         if (is_false(exprs(), cause)) return {};
         const Id<Symbol> flag =

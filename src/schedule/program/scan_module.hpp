@@ -11,10 +11,11 @@
 
 namespace grafverif::schedule {
 
-/// Returns the module. Its flag `race` is set after a run-time fault, and its flag `out_of_range` after a scan in which
-/// `stop` was true; both flags are permanent. If `out_of_range` is set, a run-time fault in a later scan does not set
-/// `race`. `stop` is a term over the values before the scan, or invalid. The symbols `settled` and `faulting` exist
-/// only if `settles` is true. `settled` is true if one more scan with the same inputs would change no variable.
+/// Returns the module. Its flag `race` is set after a run-time fault. Its flag `out_of_range` is set after a scan in
+/// which `stop` was true. Once set, `race` and `out_of_range` remain set. If `out_of_range` is set, a run-time fault in
+/// a later scan does not set `race`. `stop` is a term over the values before the scan, or invalid. The symbols
+/// `settled` and `faulting` exist only if `settles` is true. `settled` is true if one more scan with the same inputs
+/// would change no variable.
 ControllerModule scan_module(const Scan& scan, Id<Expr> stop, bool settles, Exprs& exprs);
 
 /// For each variable of the equations: true if an output, a fault or `stop` depends on it.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Addresses of the documentation site.
+// Returns addresses of pages of the documentation site.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace grafverif {
 /// if the site is not published.
 std::string_view documentation_url();
 
-/// Returns the address of the entry of a diagnostic on the site at `base`; empty if `base` is empty.
+/// Returns the address of the entry of the diagnostic `code` on the site at `base`; empty if `base` is empty.
 std::string diagnostic_page(std::string_view code, std::string_view base = documentation_url());
 
 /// Returns the text of `code` for a terminal: a hyperlink (OSC 8) to the entry of `code` on the site at `base`, or only

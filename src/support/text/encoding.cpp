@@ -21,7 +21,7 @@ void append_utf8(std::string& text, std::uint32_t code) {
         byte(0x80U | (code & 0x3FU));
 }
 
-/// The characters of Windows-1252 that replace the control characters 0x80 to 0x9F of Latin-1.
+/// The characters that the bytes 0x80 to 0x9F encode in Windows-1252; in Latin-1, these bytes are control characters.
 constexpr std::array<std::uint16_t, 32> windows = {0x20AC, 0x81,   0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
                                                    0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0x8D,   0x017D, 0x8F,
                                                    0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,

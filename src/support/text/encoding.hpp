@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Conversion of other encodings to UTF-8, and a test for the bytes of UTF-8 characters.
+// Detects encodings other than UTF-8, and converts them to UTF-8.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ bool is_utf16(std::string_view text);
 /// Converts UTF-16. Requires `is_utf16(text)`. The byte order mark is removed, and lone surrogates become U+FFFD.
 std::string utf8_of_utf16(std::string_view text);
 
-/// Converts Windows-1252, which equals Latin-1 except for the control characters.
+/// Converts Windows-1252, which differs from Latin-1 only in the control characters 0x80 to 0x9F.
 std::string utf8_of_latin(std::string_view text);
 
 /// True if `text` is not UTF-8 but may be Latin-1: it contains bytes above 127, none of which is part of a UTF-8

@@ -21,8 +21,8 @@ bool is_ascii(std::string_view text) {
     return std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
 }
 
-/// Throws if a call of ICU failed. ICU fails if memory is refused, or if the data file does not match the version of
-/// ICU.
+/// Throws if a call of the library ICU failed, because no memory is available or its data file does not match its
+/// version.
 void demand(UErrorCode status, const char* what) {
     if (status == U_MEMORY_ALLOCATION_ERROR) throw std::bad_alloc();
     if (U_FAILURE(status) != 0) throw std::runtime_error(std::string("ICU has no ") + what);
@@ -71,7 +71,7 @@ std::string composed(std::string_view name) {
 
 std::string in_ascii(std::string_view name) {
     if (is_ascii(name)) return std::string(name);
-    // This object is kept, because its construction is slow.
+    // The transliterator is kept for later calls, because its construction is slow.
     thread_local const std::unique_ptr<icu::Transliterator> latin = latin_letters();
     icu::UnicodeString units = units_of(name);
     latin->transliterate(units);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Skeletons of names (UTS 39, section 4), which are equal for names that look the same.
+// Computes skeletons of names (UTS 39, section 4). Names that look the same have equal skeletons.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace grafverif {
 
 bool all_ascii(std::string_view text);
 
-/// Returns the skeleton of a name. Requires UTF-8. The function uses the tables of ICU.
+/// Returns the skeleton of a name, computed with the tables of the library ICU. Requires UTF-8.
 std::string skeleton(std::string_view name);
 
 }  // namespace grafverif
