@@ -28,7 +28,7 @@
 namespace grafverif {
 namespace {
 
-/// Time limit of each engine, because either can take minutes on some small models.
+/// Time limit of NuSMV and of the embedded engine, because each can take minutes for some small models.
 constexpr std::chrono::seconds time_limit(2);
 
 /// The results of NuSMV, with its model and its output for failure messages.

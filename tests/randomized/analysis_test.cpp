@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Compares the analysis with an explicit search that uses neither equations nor decision diagrams: the interpreter
-// visits all points of a random chart. A point is a state of the chart during an instant; a rest is a state in which an
-// instant ends. Both methods model time in the same way: between two instants the timers that watch the same step may
-// expire, in the order of their durations.
+// visits all points of a random chart. An instant is a time at which inputs or timers change and the chart evolves. A
+// point is a state of the chart during an instant; a rest is a state in which an instant ends. Both methods model time
+// in the same way: between two instants the timers that watch the same step may expire, in the order of their
+// durations.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -329,7 +330,7 @@ bool masked(const std::string& fact, const Facts& expected) {
 
 /// Limits of the analysis of a chart.
 struct Bounds {
-    int looks = -1;  ///< number of instants of the parts after which the analysis stops; negative: no limit
+    int looks = -1;  ///< number of instants after which the analysis of a part of the chart stops; negative: no limit
     std::int64_t longest_count = 256;
 };
 
@@ -337,9 +338,9 @@ std::string fact_of(const std::string& code, const std::string& subject) {
     return code + (subject.empty() ? "" : " " + subject);
 }
 
-/// Returns the wrong statements about open queries: the analysis must have found every event of the instants that it
-/// searched. An open query is not wrong if a finding with the same code and subject exists, because several queries can
-/// have the same subject.
+/// Returns the wrong statements about open queries, which the analysis did not decide: it must have found every event
+/// of the instants that it searched. An open query is not wrong if a finding with the same code and subject exists,
+/// because several queries can have the same subject.
 std::string wrongly_open(const Analysis& analysis, const Facts& expected, const std::set<std::string>& found) {
     std::string text;
     for (const OpenQuestion& question : analysis.open) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Compares a circuit, its AIGER text and its BTOR2 text with the transition system from which they were generated;
-// independent readers read the texts. The possible runs of each must be runs of the system, the properties must hold
-// exactly in the states in which their terms hold, and every state must be reached.
+// independent readers read the texts. Each of their runs that satisfies the constraints must be a run of the system,
+// the properties must hold exactly in the states in which their terms hold, and every state must be reached.
 #include "circuit/circuit.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,8 @@ struct Seen {
     std::size_t systems = 0, steps = 0, targets = 0, hits = 0, starts = 0;
 };
 
-/// A random run of the circuit. It tries inputs until the current state is possible, and then executes a step.
+/// A random run of the circuit. It tries inputs until the current state satisfies the constraints ("is possible"), and
+/// then executes a step.
 class Walk {
 public:
     Walk(const Circuit& circuit, Random& random) : circuit_(circuit), random_(random), values_(circuit.gates.size()) {}

@@ -139,7 +139,7 @@ struct Searched {
     std::size_t depth = 0;  ///< number of scans that were explored completely
 };
 
-/// Explores all pairs of states, by number of scans.
+/// Explores all pairs of states, in the order of the number of scans that lead to them.
 Searched search(const Program& a, const Program& b, const Pair& first) {
     Searched found;
     std::set<std::vector<std::int64_t>> seen;
@@ -171,7 +171,7 @@ std::string error_texts(const Diagnostics& diagnostics, const Sources& sources) 
     return text.str();
 }
 
-/// Returns the error in the replay of a difference or a run-time fault.
+/// Returns the error in the replay of a difference or a run-time fault, or an empty string.
 std::string replay_error(const Comparison& found, Pair pair) {
     for (std::size_t scan = 0; scan < found.scans.size(); ++scan) {
         const Pair::Result result = pair.scan(found.scans[scan].inputs, found.scans[scan].wait_ms);

@@ -71,7 +71,7 @@ Behaviour chatter() {
             "timed $chatter -> $chatter when $t >= 1s do OUT := !OUT, $t := 0;\n",
             "$t := 0"};
 }
-/// A fault with own variable and two steps: it changes its output a limited number of times.
+/// A fault with its own variable and two locations. It sets its output to true at most twice.
 Behaviour worn() {
     return {"variable $n: int 0..2; clock $t;",
             {"$off invariant $t <= 3s with OUT := false", "$on"},
@@ -158,7 +158,8 @@ Loop random_loop(Random& random) {
 
 enum class Presence { Absent, AnyTime, PowerOn };
 
-/// Returns the loop as text. For each fault: its presence. If `declared`, the faults are declared instead.
+/// Returns the loop as text, in which the components include the behaviour of the faults according to `presence`. If
+/// `declared`, the text declares the faults with `fault` instead.
 std::string text_of(const Loop& loop, const std::vector<Presence>& presence, bool declared = false) {
     std::string text = loop.chart, plant;
     for (std::size_t k = 0; k < loop.instances.size(); ++k) {
@@ -222,8 +223,8 @@ public:
 
     const std::set<FaultSet>& combinations() const { return combinations_; }
 
-    /// A combination violates a property about all runs if it does so in the model of some subset, in which the other
-    /// faults never occur.
+    /// A combination of faults violates a property about all runs if some subset of it violates the property in the
+    /// model in which the other faults never occur.
     Outcome outcome(const FaultSet& faults, const FaultAnalysis::Row& row) const {
         const Outcome own = outcomes_.at({faults, row.property});
         if (row.pattern == Pattern::Reachable || row.pattern == Pattern::ReachableAllSteps || faults.size() == 1)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compares the verdicts found on input abstractions with those of the complete loop, on random loops with panels. Each
-// premise of the abstraction is omitted once, to show that the comparison detects the omission.
+// Compares the verdicts found on input abstractions with those of the complete loop, on random loops with operator
+// panels. Each premise of the abstraction is omitted once, to show that the comparison detects the omission.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -332,7 +332,7 @@ TEST(InputAbstraction, SymbolicProofsAgreeWithTheCompleteLoop) {
             ++seen["proofs: " + std::string(word(proof.outcome))];
             if (proof.run) {
                 EXPECT_TRUE(replay(task.abstraction, *proof.run));
-                ++seen["proofs with a run"];  // a run with a model error is not given
+                ++seen["proofs with a run"];  // the proof contains no run that ends with a model error
             }
             return proof;
         };

@@ -25,8 +25,8 @@ namespace {
 
 using System = TransitionSystem;
 
-/// True if a symbol of main is a state variable of main or of an instance. Any other symbol may depend on a choice,
-/// which the graph does not store.
+/// True if a symbol of the main module is a state variable of this module or of an instance. Any other symbol may
+/// depend on a choice, which the graph does not store.
 bool is_state(const System& system, const System::Symbol& symbol) {
     if (const auto* member = std::get_if<System::MemberSymbol>(&symbol.kind)) {
         const Id<System::Module> module = system.instances[member->instance].module;

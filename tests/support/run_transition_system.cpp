@@ -15,7 +15,7 @@ namespace {
 
 using System = TransitionSystem;
 
-/// A symbol of a module, which is main or the instance with this index.
+/// A symbol of the main module or, if `instance` is set, of the instance with this index.
 struct Site {
     std::optional<std::size_t> instance = {};
     Id<System::Symbol> symbol = {};

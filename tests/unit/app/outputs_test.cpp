@@ -418,7 +418,7 @@ TEST(StandardInput, IsReadOnce) {
     EXPECT_EQ(grafverif({"simulate", file, "--script", "-"}, "wait 1s\n").code, ExitCode::Done);
 }
 
-/// A report of an earlier run is removed before a check, but other pages belong to the user.
+/// A check first removes the report of an earlier run, but it must not remove other HTML files of the user.
 TEST(ReportFiles, OtherHtmlPagesRemainIfTheCommandFails) {
     const Folder folder;
     const std::string file = folder.write("bad.grafcet", "grafcet");
@@ -541,7 +541,7 @@ TEST(StandardOutput, ContainsOnlyTheReportAndMessagesGoToStandardError) {
     }
 }
 
-/// The reader of messages may close its end early, as in `grafverif check ... | head -1`.
+/// The reader of the standard output may close the pipe early, as in `grafverif check ... | head -1`.
 TEST(Reports, AreCompleteIfTheReaderOfStandardOutputIsGone) {
     const Folder folder;
     folder.write("one.grafcet", violated);

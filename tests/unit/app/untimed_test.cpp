@@ -98,8 +98,8 @@ TEST(CheckUntimed, TracesNameTheInputsThatTimersWatch) {
     }
 }
 
-/// True if `out` states `carries` for the verdict on `property`. The statement is at the beginning if it applies to all
-/// properties, or belongs to the group that names the property.
+/// True if `out` contains the statement `carries` about other models for the verdict on `property`. The statement is at
+/// the beginning if it applies to all properties, or belongs to the group that names the property.
 bool says_of(const std::string& property, const std::string& carries, const std::string& out) {
     std::string head = out.substr(0, out.find("\n\n")) + '\n';
     for (std::size_t at = 0; (at = head.find("\n        ")) != std::string::npos;) head.replace(at, 9, " ");

@@ -115,8 +115,8 @@ TEST(InputAbstraction, FollowsTheViolationOfAStationInTheFirstRound) {
     EXPECT_TRUE(replay(loop, *result.verdicts.front().run));
 }
 
-/// The gap of the button is rounded from 300 ms to one unit of 2 s, the stroke of the cylinder. Each run with the
-/// longer unit is a run of the loop.
+/// The search rounds the minimum time between two changes of the button, 300 ms, to one unit of 2 s, the duration of
+/// the stroke of the cylinder. Each run with the longer unit is a run of the loop.
 TEST(InputAbstraction, RunsInALongerTimeUnitAreRunsOfTheLoop) {
     const Network loop = expand(
         read_loop("grafcet c { input A, AT_BACK, AT_FRONT; output G_OUT; initial step 0; step 1 { G_OUT; } step 2;\n"
@@ -221,7 +221,7 @@ TEST(InputAbstraction, FollowsAViolationOnTheCompleteLoop) {
     EXPECT_TRUE(found.run);
 }
 
-/// One sampling in step 1 requires J, so that the cylinder moves, and a later one requires B. All other samplings
+/// One sampling in step 1 requires J, so that the cylinder moves, and a later sampling requires B. All other samplings
 /// permit both values.
 TEST(InputAbstraction, FollowsARunWithSeveralRequirementsInOneStage) {
     const Verdict found =

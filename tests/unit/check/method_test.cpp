@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tests the claims of CEP13 and ETFA12 about the method. Each claim is false if the corresponding correction is removed
-// from the method.
+// Tests the claims of the papers CEP13 and ETFA12 (docs/explanation/method.md) about the method. Each claim is false if
+// the corresponding correction is removed from the method.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -325,7 +325,7 @@ TEST(Explain, FreeInputChangesOfTheShortestChangeAreNamedOneByOne) {
         std::string::npos)
         << text;
     EXPECT_NE(json_of(report).find(R"("left_out_values": [)"), std::string::npos);
-    // A timer expiry is shown once it has occurred.
+    // The first change shown is the timer expiry, because the term becomes true only after the delay.
     const ChartRun& late = answer(report, "short").trace.value();
     ASSERT_EQ(late.counterfactual_values.size(), 1U);
     EXPECT_TRUE(late.counterfactual_values[0].timer.valid());

@@ -41,7 +41,7 @@ const Data& run_of(const Made& made, const std::string& name) {
     throw std::runtime_error("no run " + name);
 }
 
-/// For each scan of the run: the event, and the value of each point that the scan evaluated.
+/// Returns, for each scan of the run, the index of its event, and the value of each point that the scan evaluated.
 std::vector<std::pair<std::size_t, std::map<std::size_t, Data>>> scans_of(const Data& run) {
     std::vector<std::pair<std::size_t, std::map<std::size_t, Data>>> scans;
     std::map<std::size_t, Data> values;
