@@ -165,7 +165,7 @@ struct Checked {
     Id<ClosedLoop> loop = {};
     Id<Chart> chart = {};
     std::optional<ExecutionMode> mode = {};
-    std::optional<CertificateFiles> certificate = {};  ///< if requested
+    std::optional<CertificateFiles> certificate = {};  ///< set if a certificate is requested
 };
 
 /// A simulator. Its methods keep the interpreter lock, because other Python threads may use the same simulator.

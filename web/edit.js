@@ -50,7 +50,8 @@ const titleOf = (element) => element.kind === "step" ? `step ${element.name}` : 
 // element.
 const header = 3;
 
-// Returns the nodes of a drawing by their lines in the text of the drawing, or null if they do not correspond.
+// Returns a map from each line of the text of a drawing to its nodes, or null if the lines and the nodes do not
+// correspond.
 function nodesByLine(text, svg) {
     const lines = text.split("\n").slice(header, -2), nodes = [...svg.children].slice(header - 1), known = new Map();
     if (lines.length !== nodes.length) return null;
@@ -313,7 +314,7 @@ class TextPane {
         return line;
     }
 
-    // Returns the offset of a position of a diagnostic.
+    // Returns the offset in the text of a position that a diagnostic gives as line and character.
     offset(line, character) {
         let begin = 0;
         for (let k = 0; k < line; ++k) begin = this.value.indexOf("\n", begin) + 1 || this.value.length;
@@ -458,7 +459,7 @@ class Page {
         }).then(() => result);
     }
 
-    // Shows a state. If `scroll` is true, makes the selected element visible.
+    // Shows a state of the file that the server has sent. If `scroll` is true, makes the selected element visible.
     take(state, scroll = true) {
         this.state = state;
         this.known = state.version;
@@ -565,7 +566,7 @@ class Page {
             if (answer.problem) return;
             this.copied = answer.text;
             by("selection").textContent = `Copied: ${steps.map((each) => titleOf(each)).join(", ")}. Select a step or a transition, then paste.`;
-            navigator.clipboard?.writeText(answer.text).catch(() => {});  // for other programs
+            navigator.clipboard?.writeText(answer.text).catch(() => {});  // other programs can paste the text
         });
     }
 
@@ -672,7 +673,7 @@ class Page {
         if (by("simulating").open) await this.simulate(state);
     }
 
-    // Simulates the text that was checked last.
+    // Updates the simulator, which simulates the text that the server checked last.
     async simulate(state) {
         if (state.readable && state.reading !== this.drawn) {
             this.drawn = state.reading;
@@ -682,7 +683,7 @@ class Page {
         this.simulator.take(state);
     }
 
-    // Requests newer states without end. A hidden page sends no requests.
+    // Requests newer states in an endless loop. A hidden page sends no requests.
     async follow(path, take) {
         for (let pause = 0;;) {
             if (document.hidden) await new Promise((seen) => document.addEventListener("visibilitychange", seen, {once: true}));

@@ -858,7 +858,7 @@ class Loop:
     def __init__(self, file: _core.File, name: str, constants: Iterable[str] = ()):
         self._file = file
         self.name = name
-        self._constants = frozenset(constants)  # the constants whose values the reader of the file has set
+        self._constants = frozenset(constants)  # constants whose values were given when the file was read
 
     @property
     def properties(self) -> list[str]:
