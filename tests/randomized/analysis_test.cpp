@@ -434,7 +434,7 @@ std::string disagreement_on_graph(const Chart& chart, const Equations& equations
     const auto regions = graph.regions();
     if (region && one_part && sure && regions.size() < 2) {
         std::vector<bool> inside = regions.empty() ? std::vector<bool>(graph.nodes.size()) : regions.front();
-        bool any = false;  // true if a transition occurs infinitely often outside the only region
+        bool any = false;  // true if a transition is cleared infinitely often outside the only region
         for (const Id<Chart::Transition> id : chart.transitions.ids()) {
             const std::string& fired = chart.transitions[id].name;
             for (std::size_t k = 0; k < inside.size(); ++k) {

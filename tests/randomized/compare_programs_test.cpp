@@ -86,7 +86,7 @@ RandomText changed(RandomText made, Random& random) {
     case 2: one = fmt::format("IF a OR NOT a THEN {} END_IF;", one); break;
     case 3: std::swap(one, made.statements.front()); break;
     case 4: one += " r := r;"; break;
-    default:  // a difference after several scans
+    default:  // a change whose effect may appear after several scans
         one += fmt::format(" IF (m > {}) AND {} THEN {} END_IF;", random_number(random, 0, 3), condition(random),
                            statement(random, made.timed));
         break;

@@ -261,7 +261,7 @@ private:
         const bool existence = verdict.pattern == Pattern::Reachable || verdict.pattern == Pattern::ReachableAllSteps;
         if (existence && present != all) return;
         const auto [known, fresh] = outcomes_.try_emplace({faults, name}, verdict.outcome);
-        // A violation of a property of states with faults from power-on is also one with faults at any time.
+        // If faults from power-on lead to a violation of a property of states, these faults at any time do so, too.
         const bool of_states = is_about_all_states(verdict.pattern) && name != "p11" && name != "p12" && name != "p15";
         if (!fresh && of_states && verdict.outcome == Outcome::Violated) {
             EXPECT_EQ(word(late.at(name).outcome), "violated") << name;
@@ -293,7 +293,7 @@ void compare_row(const FaultAnalysis::Row& row, const NaiveFaults& naive, Seen& 
     for (const FaultAnalysis::Open& each : row.open) open.insert(each.faults);
     for (const FaultSet& faults : naive.combinations()) {
         const Outcome outcome = naive.outcome(faults, row);
-        if (outcome == Outcome::Unknown) return void(++seen.unknown);  // inexact for dense time
+        if (outcome == Outcome::Unknown) return void(++seen.unknown);  // integer time is inexact for this property
         const bool has_violating_subset = faults.size() == 2 && std::ranges::any_of(faults, [&](std::size_t fault) {
                                               return naive.outcome({fault}, row) == Outcome::Violated;
                                           });

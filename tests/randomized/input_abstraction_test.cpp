@@ -33,11 +33,11 @@ struct Element {
     std::vector<std::string> conditions = {};
 };
 
-/// Returns a chart of three steps with a panel of two or three elements: push buttons with and without a bound on the
-/// time pressed, a selector, a free input, an integer input. The loop also has an actuator of the plant, times and
-/// edges of inputs, and conditional, stored and counting actions. In some loops the instance `Lamp` reads a button directly, or a
-/// second chart reads the same panel; the charts may read outputs of each other. The plant is one of `plants`:
-/// components with an order and a sensor. In some loops a second instance reads the sensor.
+/// Returns a loop of a chart with three steps and a panel with two or three elements: push buttons with and without a
+/// bound on the time pressed, a selector, a free input, an integer input. The loop also has an actuator of the plant,
+/// times and edges of inputs, and conditional, stored and counting actions. In some loops the instance `Lamp` reads a
+/// button directly, or a second chart reads the same panel; the charts may read outputs of each other. The plant is one
+/// of `plants`: components with an order and a sensor. In some loops a second instance reads the sensor.
 std::string panel_loop(Random& random, const std::vector<std::string>& plants) {
     std::vector<Element> panel{{"environment EA = push_button(OUT = A);", "A", {"A", "rise(A)", "fall(A)", "1s/A"}},
                                {"environment EB = free(OUT = B);", "B", {"B", "rise(B)"}},

@@ -54,7 +54,7 @@ int compare(const Network& network, const std::vector<InputChoice>& choices, con
     seen["states with macro-steps"] += static_cast<int>(macro.states);
     for (std::size_t k = 0; k < plain.verdicts.size(); ++k) {
         const Verdict& verdict = macro.verdicts[k];
-        // A model error ends a search; a search without macro-steps may find a violation before it.
+        // A model error ends a search; a search without macro-steps may find a violation before the error.
         const bool is_ended = !macro.errors.empty() && verdict.outcome == Outcome::Unknown;
         if (verdict.outcome != plain.verdicts[k].outcome && !is_ended) ++different;
         ++seen["verdicts: " + std::string(word(verdict.outcome))];

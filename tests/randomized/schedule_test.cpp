@@ -144,7 +144,7 @@ std::string settled_disagreement(const ModelPair& models, std::span<const std::i
     after.step(inputs);
     for (const Id<Equations::Variable> id : models.equations.variables.ids()) {
         const Role role = models.equations.variables[id].role;
-        // The system has no timers and therefore no such variables.
+        // The transition system contains no timers, and therefore no variables with these roles.
         if (role == Role::FiringCondition || role == Role::Watched || role == Role::Previous) continue;
         if (models.value(id) != after.value(id))
             return "settled, but " + models.equations.variables[id].name + " changes";

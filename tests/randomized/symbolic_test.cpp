@@ -35,8 +35,8 @@ bool is_state(const System& system, const System::Symbol& symbol) {
     return std::holds_alternative<System::StateSymbol>(symbol.kind);
 }
 
-/// Returns the states of a graph that agree with `seen` in the state variables of main and in those of instances that
-/// main names.
+/// Returns the states of a graph that agree with `seen` in the state variables of the main module, and in those state
+/// variables of instances that the main module names.
 StateSet looking_like(const System& system, const SystemGraph& graph, const std::vector<std::int64_t>& seen) {
     const Table<System::Symbol>& symbols = system.modules[system.main].symbols;
     return where(graph, [&](const SystemState& state) {

@@ -551,8 +551,8 @@ TEST(Analyse, EventsExcludedByAnAbortedRunAreNotTransferredFromParts) {
 }
 
 TEST(Analyse, RunsOfPartsWithoutPossibleTimesAreNotRunsOfTheChart) {
-    // After a rising edge of `a`, the chart is never stable, because of part g. In the shortest run of the other part,
-    // a timer expires too late.
+    // After a rising edge of `a`, the chart is never stable, because of part g. The shortest run of the other part is
+    // not possible for any choice of times: a timer would have to expire earlier.
     const Analysis found = analysed(R"(
         input a;
         output o;

@@ -483,7 +483,7 @@ TEST(StandardOutput, ReceivesTheDocumentOfEveryFileOptionOrTheOptionIsRejected) 
             result.err.find("which `-` is not") != std::string::npos ||
             result.err.find("cannot both be written to standard output") != std::string::npos ||
             result.err.find("[nothing-to-import]") != std::string::npos ||
-            (option == "properties" && result.err.find("[unexpected]") != std::string::npos);  // FILE is a chart
+            (option == "properties" && result.err.find("[unexpected]") != std::string::npos);  // not a property file
         EXPECT_EQ(result.code == ExitCode::Input, refused) << result.err;
         if (refused) return;
         ++documents;

@@ -70,7 +70,7 @@ TEST(CheckUntimed, TimesThatPropertiesReadAreFreeWithoutAPlant) {
         EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
         EXPECT_NE(result.out.find("over: violated"), std::string::npos) << result.out;
         EXPECT_NE(result.out.find("late: violated"), std::string::npos)
-            << result.out;  // the times are free and independent
+            << result.out;  // both delays are arbitrary and independent
         EXPECT_EQ(result.out.find("apart: violated"), std::string::npos) << result.out;
     }
     const Result timed = grafverif({"check", file});

@@ -503,8 +503,8 @@ TEST(InputAbstraction, ProvesNoAbsenceOfTimelockIfAnEvolutionMayNotEnd) {
         << "the test would not detect that the premise is violated";
 }
 
-/// Returns a loop with a plant of two clocks. In `both`, the bound that is reached first decides the next location;
-/// this is always the bound of t.
+/// Returns a loop with a plant of two clocks. In the location `both`, the bound that is reached first decides the next
+/// location; this is always the bound of t.
 std::string race_of_bounds(const std::string& property) {
     return "component two(input P; output S, F) { clock t, u; initial location off; location one invariant u <= 1s && "
            "t <= 2s; location both invariant u <= 2s && t <= 2s; location good; location bad; "
