@@ -57,7 +57,8 @@ struct Agreement {
     std::size_t verdicts = 0, runs = 0, given_up = 0;
 };
 
-/// Checks, with the reference evaluation of the property, that a run returned by NuSMV proves its verdict.
+/// Compares the results of NuSMV with those of the symbolic engine: the number of states, the verdicts, and the runs.
+/// Runs without a loop have the minimum length in both results.
 void expect_agreement(const TransitionSystem& system, const std::string& program, Agreement& agreement) {
     const SymbolicResult own = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + time_limit});
     if (own.fault) return;

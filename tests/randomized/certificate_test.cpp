@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Certificates of random networks and closed loops. `grafverif-certify` must accept each certificate. It must reject
-// each damaged certificate, also if the checksums of the damaged files are correct, and each certificate of another
-// model. If a damaged certificate is accepted, all its claims must be true: the test compares them with the verdicts of
-// the timed engine.
+// each certificate of another model, and each damaged certificate with wrong checksums. It may accept a damaged
+// certificate with correct checksums only if all its claims are true: the test compares them with the verdicts of the
+// timed engine.
 #include "emit/certificate/certificate.hpp"
 
 #include <gtest/gtest.h>

@@ -66,7 +66,7 @@ private:
     std::vector<bool> given_ = {};
 };
 
-/// Compares the functions of `circuit` in one state with the terms.
+/// Compares the values of the properties in `circuit` in one state with those of the terms of the system.
 void expect_targets(const System& system, FlatSystem& flat, const Circuit& circuit, const NodeValues& values,
                     const std::vector<std::int64_t>& state, Seen& seen) {
     const auto value = [&](Id<Expr> term) {
@@ -213,7 +213,8 @@ TEST(RandomizedCircuit, MakesTheStepsOfRandomLoops) {
     EXPECT_GT(seen.steps, 0u);
 }
 
-/// Checks that the encoding of values does not change any value.
+/// Checks that the encoding of integers as bits has exactly the values of their ranges, and that steps preserve these
+/// values.
 TEST(RandomizedCircuit, WordsHoldTheValuesOfTheirRanges) {
     for (const Type type : {integer_type(-3, 4), integer_type(-4, 3), integer_type(0, 5), integer_type(7, 7),
                             integer_type(5, 9), integer_type(1000, 1003), integer_type(-9, -8), Type{}}) {

@@ -97,7 +97,8 @@ RandomText changed(RandomText made, Random& random) {
 /// Two interpreters that execute the same scans.
 struct Pair {
     std::array<ProgramRun, 2> runs;
-    /// Cells that must not change in a settled program; empty if each scan is executed once.
+    /// For each program: if scans are repeated until the program is stable, the cells that must not change in a stable
+    /// program; otherwise nothing.
     std::array<std::optional<std::vector<std::size_t>>, 2> settled = {};
 
     enum class Result { Same, Different, BothStop };

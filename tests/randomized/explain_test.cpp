@@ -304,8 +304,8 @@ struct ChangeCounts {
     int mended = 0, hopeless = 0;
 };
 
-/// Compares the shortest change of a run that violates `property` with all sets of free moves. `timed` is `network`
-/// with its clocks.
+/// Compares the shortest change (the smallest set of omitted free moves) of a run that violates `property` with all
+/// sets of free moves. `timed` is `network` with its clocks.
 void expect_smallest(const Network& network, const Network& timed, const Property& property, const grafverif::Run& run,
                      ChangeCounts& counts) {
     const auto good = [&](const NetworkState& state) {
@@ -683,7 +683,7 @@ TEST(RandomizedExplain, RemovalOfAnInstanceOrATimingOnlyAddsStates) {
 }
 
 // Tests the premise of proofs in which a guard is removed: the removal only adds reachable states. The removal of an
-// edge that is not forced needs no search, because all states without it are states of the loop.
+// edge that is not forced needs no search, because it adds no reachable state.
 TEST(RandomizedExplain, RemovalOfAGuardOnlyAddsStatesAndRemovalOfAnUnforcedEdgeAddsNone) {
     int guards = 0, edges = 0;
     for (int seed = 1; seed <= test_size(6); ++seed) {

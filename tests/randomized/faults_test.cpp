@@ -308,7 +308,7 @@ void compare_row(const FaultAnalysis::Row& row, const NaiveFaults& naive, Seen& 
     for (const FaultSet& faults : minimal) seen.of_two += faults.size() == 2 ? 1 : 0;
 }
 
-/// The verdicts do not depend on the limit of the first search, which determines the order of the searches.
+/// Checks that the verdicts do not depend on the limit of the first search, which determines the order of the searches.
 void compare_schedules(const Model& model, Id<ClosedLoop> loop, std::uint64_t first_states,
                        const FaultAnalysis& usual) {
     Diagnostics diagnostics;

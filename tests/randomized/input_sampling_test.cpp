@@ -103,7 +103,8 @@ Reads reads_of(const Network& network, const Property& property) {
     return reads;
 }
 
-/// Returns the verdict on the property that is the same with both ways of sampling. Returns `Unknown` if no verdict is.
+/// Returns the outcome that is preserved: if the property has this outcome in the closed loop, it has the same outcome
+/// if inputs are sampled once per search. Returns `Unknown` if no outcome is preserved.
 Outcome preserved(const Network& network, const Property& property) {
     const Reads reads = reads_of(network, property);
     switch (property.pattern) {

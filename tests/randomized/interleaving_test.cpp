@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Compares compositional checking of untimed models with checking the complete model, on random networks of two to four
-// parts in abstract and in discrete time. Each premise is omitted once, to show that the comparison detects the
-// omission.
+// independent parts, in abstract and in discrete time. Each premise is omitted once, to show that the comparison
+// detects the omission.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Randomized test of schedule: on random charts, the transition system of the controller agrees with its equations,
-// cycle by cycle and in both execution modes. The states that it marks as quiescent are quiescent.
+// Randomized test of schedule: on random charts, the transition system of the controller agrees with the equations of
+// the chart, cycle by cycle and in both execution modes. The states that the system marks as quiescent are quiescent.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests the guarantees of a space about memory, time, depth, and independence of other spaces.
+// Tests the guarantees of a BDD space about memory, time, depth, and independence of other spaces.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 

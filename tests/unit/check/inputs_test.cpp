@@ -583,7 +583,7 @@ TEST(InputAbstraction, ProvesNoAbsenceOfDeadlockWithoutALivelyInstance) {
     EXPECT_EQ(decided(once("no deadlock")).outcome, Outcome::Unknown);
 }
 
-/// Declares the free inputs I1..In.
+/// Returns a loop with the free inputs I1..In.
 std::string free_inputs(int count, const std::function<std::string(const std::string&)>& term) {
     std::string names, panel, condition;
     for (int i = 1; i <= count; ++i) {

@@ -20,7 +20,7 @@ std::string error_text(const LoopUnderTest& loop, const Run& run) {
     return found ? "move " + std::to_string(found->move) + ", " + found->where + ": " + found->what : "";
 }
 
-/// Returns the options of all four execution modes of a loop.
+/// Returns the options for all four combinations of grain and execution mode.
 std::vector<ComposeOptions> all_options() {
     std::vector<ComposeOptions> options;
     for (const Grain grain : {Grain::Phased, Grain::Atomic})
