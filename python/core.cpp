@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Binds the public API to Python: functions on texts that return JSON and drawings. The package `grafverif` converts
-// their results to objects. Long computations run in a separate thread without the interpreter lock, so that Ctrl-C
-// interrupts them.
+// Binds the public API to Python: functions that take texts and return JSON and drawings. The package `grafverif`
+// converts their results to objects. Long computations run in a separate thread without the interpreter lock, so that
+// Ctrl-C interrupts them.
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 

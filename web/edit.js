@@ -442,8 +442,9 @@ class Page {
         else if (document.activeElement === this.text.field) this.caret(this.text.field.selectionStart);
     }
 
-    // Sends a change after the typed text, and shows its result. Returns the response. A request with positions contains
-    // the version of the text to which they belong, so that the server rejects it if the typed text has changed them.
+    // Sends a change after the typed text, and shows its result. Returns the response. A request with positions
+    // contains the version of the text in which the positions are valid, so that the server rejects the request if
+    // typed text has changed the positions.
     change(path, request = {}) {
         let result = null;
         return this.enqueue(async () => {
@@ -701,9 +702,9 @@ class Page {
     run() {
         let verdicts = 0;
         this.follow(() => `/document?after=${this.known}`, (state) => this.enqueue(() => {
-            // An older state than the known state is a response to a request before the last change. While typed text
-            // has not been sent, a new state is ignored, so that the server rejects the text if another window has
-            // changed it.
+            // A state that is older than the known state is the response to a request from before the last change.
+            // While typed text has not been sent, a new state is ignored, so that the server rejects the text if
+            // another window has changed it.
             if (!state || (state.version <= this.known && this.known !== 0)) return;
             if (this.pending) this.known = state.version;
             else this.take(state);

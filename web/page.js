@@ -107,7 +107,7 @@ for (const view of document.querySelectorAll("figure > .drawing")) new Zoom(view
 const drawings = document.getElementById("charts");
 if (drawings?.querySelector("svg.grafcet")) drawings.querySelector("h2").after(new Find(drawings).element);
 const element = document.getElementById("data"), place = document.getElementById("player") ?? make("div", {});
-// A page without runs has no player. It also evaluates its address.
+// A page without runs has no player, but its address is evaluated, too.
 if (!place.isConnected) document.querySelector("main")?.prepend(place);
 if (element) window.page = new Page(JSON.parse(element.textContent), place);
 for (const button of document.querySelectorAll("[data-run]")) {

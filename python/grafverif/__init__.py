@@ -871,8 +871,8 @@ class Loop:
               timeout: Duration | None = None, memory: int | None = None, states: int | None = None,
               whole: bool = False, certificate: str | os.PathLike[str] | None = None) -> Report:
         """Checks the given properties, or by default all, with the timed engine. `timeout` is in seconds and
-        `memory` in bytes. If a limit is reached, the remaining verdicts are unknown. `certificate` is a folder; the
-        files that are written into it prove the verdicts to the program `grafverif-certify`."""
+        `memory` in bytes. If a limit is reached, the remaining verdicts are unknown. `certificate` is a folder, into
+        which a certificate of the verdicts is written; the program `grafverif-certify` checks it."""
         core = self._file.check(self.name, _core.How(mode=mode, grain=grain), list(properties),
                                 _bounds(timeout, memory, states), whole, False, certificate is not None)
         report = Report(core)
