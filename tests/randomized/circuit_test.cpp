@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Compares a circuit, its AIGER text and its BTOR2 text with the transition system from which they were generated;
-// independent readers read the texts. Each of their runs that satisfies the constraints must be a run of the system,
-// the properties must hold exactly in the states in which their terms hold, and every state must be reached.
+// independent readers read the texts. Each run that satisfies the constraints must be a run of the system. The
+// properties must hold exactly in the states in which their terms hold, and every state must be reached.
 #include "circuit/circuit.hpp"
 
 #include <gtest/gtest.h>
