@@ -395,7 +395,7 @@ std::string disagreement_on_graph(const Chart& chart, const Equations& equations
         sure = sure && finding.timing != Finding::Timing::Unconfirmed;
         for (const std::string& each : finding.lost) {
             found[each] = finding.level;
-            // The region of this finding may be infeasible.
+            // The analysis found no times for the path to the region of this finding.
             if (finding.timing == Finding::Timing::Unconfirmed) unconfirmed.insert(each);
         }
         if (finding.lost.empty() || finding.timing == Finding::Timing::Unconfirmed) continue;

@@ -319,7 +319,7 @@ TEST(Faults, UnknownVerdictsAreReportedAtALimit) {
 
 // With two faults, the loop is expected to have more states than the limit of the small first search. Therefore, the
 // analysis begins with a search of the complete loop, which reaches the memory limit. Then a small search decides `q`
-// in the sub-loop of `lamp`.
+// in the independent subsystem of `lamp`.
 TEST(Faults, PropertiesAreDecidedBySmallSearchesIfTheSearchOfTheCompleteLoopFails) {
     std::string text =
         "component chatter(output OUT) {\n    clock t;\n\n    initial location chatter invariant t <= 4s;\n\n"

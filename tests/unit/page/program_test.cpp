@@ -65,7 +65,7 @@ std::int64_t signal_after(const Data& run, const std::string& name, std::size_t 
     return value;
 }
 
-/// Returns the points on the line that contains `text`, with this role.
+/// Returns the points with the role `role` on the line that contains `text`.
 std::vector<std::size_t> points_on(const Made& made, const std::string& program, const std::string& text,
                                    const std::string& role) {
     std::vector<std::size_t> found;
