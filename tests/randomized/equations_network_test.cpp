@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Randomized test of compose: the network of a controller, executed by the reference semantics, agrees with its
-// equations, cycle by cycle and timer by timer. The test covers both grains and both execution modes. The test drives
-// the inputs of the controller.
+// Randomized test of compose: the network of a controller agrees with the equations of the controller, cycle by cycle
+// and timer by timer. The test covers both grains and both execution modes. The reference semantics execute the
+// network. The test drives the inputs of the controller.
 #include <gtest/gtest.h>
 
 #include <algorithm>
