@@ -3,7 +3,7 @@
 // transitions per second, bytes per state and verdicts. safety: check only state properties. jobs: number of threads.
 // text: print the generated model instead. WHAT is the path of a sample or one of:
 //   `station`, `cylinders N`
-//   `two`: two stations in one network, explored as one
+//   `two`: two stations in one network, explored together
 //   `stations N`: N stations in one loop, checked compositionally
 //   `line N`: a transfer line of N cells, whose safety properties are checked by localization
 #include <fmt/core.h>

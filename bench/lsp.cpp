@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // bench_lsp [STEPS [KEYSTROKES]] measures the response times of the language server during typing.
 //
-// Each keystroke changes one character. Two times are measured: until the diagnostics arrive, and then until the
-// responses to the requests that an editor sends after a change have arrived. They are measured in real time and in
-// processor time, including background threads.
+// Each keystroke changes one character. Two times are measured after each keystroke: the time until the diagnostics
+// arrive, and then the time until the responses to all requests that an editor sends after a change have arrived. Both
+// are measured in real time and in processor time, including background threads.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Measures the stages of the main task on generated charts of 1,000 to 100,000 steps: read, derive, plant and compose,
-// emit. The time of each stage is reported per step; growth must be linear.
+// Measures the stages of the translation of generated charts with 1,000 to 100,000 steps: read, derive, plant and
+// compose, emit. The time of each stage per step is reported; it must not grow with the number of steps.
 #include <benchmark/benchmark.h>
 
 #include <sstream>

@@ -32,7 +32,7 @@ class Task:
     violated: frozenset[str]
     """Names of the violated properties; empty if the suite does not name them."""
     recorded: tuple[str, str] = ("", "")
-    """Verdicts of the LD route of ESBMC, and of the route through MATIEC and C."""
+    """Verdicts recorded in the suite: by ESBMC on the ladder diagram, and by the route through MATIEC and C."""
 
 
 @dataclasses.dataclass(frozen=True)

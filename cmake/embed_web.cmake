@@ -6,7 +6,7 @@ include("${CMAKE_CURRENT_LIST_DIR}/literal.cmake")
 
 function(base64_of hex result)
     set(letters "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/")
-    string(APPEND hex "00")  # base64 encodes groups of three bytes: 33; the last letter is padding
+    string(APPEND hex "00")  # a 33rd byte, because base64 encodes groups of three bytes; its letter becomes padding
     set(text "")
     foreach(at RANGE 0 65 6)
         string(SUBSTRING "${hex}" ${at} 6 three)

@@ -3,14 +3,15 @@
 #
 #   grafverif_models(TARGET <target> CHART <file>... [NAME <name>] [LOOP <loop>] [OUTPUT_DIRECTORY <folder>]
 #                    [MODELS uppaal|nusmv] [OPTIONS <option>...])
-#       A target that is always built: NAME.xml, NAME.q and NAME.smv of each chart, built again if the chart, a file
-#       that it includes, or the program changes. Default NAME: the file name without its extension. Default folder: the
-#       current binary directory. The target's property GRAFVERIF_MODELS lists the files.
+#       Adds a target that is always built. It writes NAME.xml, NAME.q and NAME.smv of each chart, and writes them again
+#       if the chart, a file that the chart includes, or the program changes. Default NAME: the file name without its
+#       extension. Default folder: the current binary directory. The target's property GRAFVERIF_MODELS lists the files.
 #
 #   grafverif_check(NAME <name> CHART <file> [PROPERTY <property>...] [LOOP <loop>] [OPTIONS <option>...] [LABELS <label>...])
-#       A test for each property of the chart, discovered when the target <name> is built: <name>.<property>, or for a
-#       file with several loops <name>.<loop>.<property>. A test checks its property on the files at run time; it passes
-#       if the verdict is as expected. OPTIONS are passed to `grafverif check`, as in `--grain;atomic;--timeout;5min`.
+#       Adds a test for each property of the chart. The tests are determined when the target <name> is built:
+#       <name>.<property>, or for a file with several loops <name>.<loop>.<property>. A test checks its property on the
+#       files at run time; it passes if the verdict is as expected. OPTIONS are passed to `grafverif check`, as in
+#       `--grain;atomic;--timeout;5min`.
 include_guard(GLOBAL)
 
 function(_grafverif_parse call known)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Binds the public API to Python: functions on texts that return JSON and drawings. The package `grafverif` converts
-// their results to objects. Long computations run in a separate thread without the interpreter lock, so that Ctrl-C
-// interrupts them.
+// Binds the public API to Python: functions that take texts and return JSON and drawings. The package `grafverif`
+// converts their results to objects. Long computations run in a separate thread without the interpreter lock, so that
+// Ctrl-C interrupts them.
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -165,7 +165,7 @@ struct Checked {
     Id<ClosedLoop> loop = {};
     Id<Chart> chart = {};
     std::optional<ExecutionMode> mode = {};
-    std::optional<CertificateFiles> certificate = {};  ///< if requested
+    std::optional<CertificateFiles> certificate = {};  ///< set if a certificate is requested
 };
 
 /// A simulator. Its methods keep the interpreter lock, because other Python threads may use the same simulator.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tuning, fault analysis, recordings and certificates for Python, by the internal interface of the library.
+// Tuning, fault analysis, recordings and certificates for Python, through the internal interface of the library.
 #pragma once
 
 #include <cstdint>

@@ -88,7 +88,7 @@ export class Claims {
     }
 }
 
-// Returns the values of the terms at one event. The class has the interface that termTree (why.js) requires.
+// Provides the values of the terms at one event. The class has the interface that termTree (why.js) requires.
 export class ClaimReader {
     constructor(claims, moment) { Object.assign(this, {claims, moment}); }
     value(term) { return this.claims.value(term, this.moment); }

@@ -7,8 +7,8 @@ const pause = 100, most = 60;
 let lists = 0;
 
 export class Completion {
-    // `context()` returns the text of the file before and after the cursor of `field`, as `{before, after}`. `place` will
-    // contain the list; `align(list)` moves the list to the cursor.
+    // `context()` returns the text of the file before and after the cursor of `field`, as `{before, after}`. `place` is
+    // the element that will contain the list; `align(list)` moves the list to the cursor.
     constructor(field, place, context, align = () => {}) {
         Object.assign(this, {field, context, align, number: 0, asking: false, again: false, at: -1, timer: null, accepting: false});
         this.list = make("ul", {class: "proposals", role: "listbox", id: `proposals-${++lists}`, "aria-label": "Proposals", hidden: true});
@@ -28,7 +28,7 @@ export class Completion {
     // Returns the part of a name before the cursor.
     word() { return this.field.value.slice(0, this.field.selectionStart).match(/[\p{L}\p{M}\p{N}_]*$/u)[0]; }
 
-    // Requests proposals. While a request is not answered, a later request waits.
+    // Requests proposals. While the server has not responded to a request, a later request waits.
     async request() {
         this.again = this.asking;
         if (this.asking) return;
@@ -72,8 +72,8 @@ export class Completion {
         this.list.children[this.at].scrollIntoView({block: "nearest"});
     }
 
-    // Inserts a proposal. If it has places for values, such as the arguments of a component, the cursor goes to the first
-    // place, and the values are proposed.
+    // Inserts a proposal. If the proposal has places for values, such as the arguments of a component, moves the cursor
+    // to the first place and proposes values for it.
     accept(k) {
         const {label, snippet} = this.found[k], end = this.field.selectionStart, begin = end - this.word().length;
         const text = snippet ? snippet.replace(/\$\d+/g, "") : label, place = snippet ? snippet.indexOf("$") : -1;

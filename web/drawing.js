@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Drawings of charts. Only the drawings are markup: the server generates them, and the browser parses them as SVG.
+// Drawings of charts. The server generates the drawings, and the browser parses them as SVG. All other texts from the
+// server are inserted as text, not as markup.
 import {make} from "./dom.js";
 import {follow, lightStep, lightTransition} from "./marks.js";
 
@@ -13,10 +14,10 @@ export function drawingElement(name, text) {
     return make("div", {class: "drawing", tabindex: 0, role: "region", "aria-label": `Drawing of ${name}`}, svg);
 }
 
-const followed = new WeakMap();  // for each place: the active steps to which its drawings were scrolled
+const followed = new WeakMap();  // maps each place to the active steps to which its drawings were scrolled
 
-// Highlights active steps, enabled transitions and cleared transitions of the drawings in `place`. `marks` are those of
-// the server.
+// Highlights active steps, enabled transitions and cleared transitions of the drawings in `place`. `marks`, from the
+// response of the server, contains the ids of the drawn transitions and actions.
 export function lightDrawings(place, marks, lit, fired) {
     const show = (name, ids, light) => {
         for (const each of place.querySelectorAll(`.${name}`)) light(each, false);

@@ -50,7 +50,8 @@ const titleOf = (element) => element.kind === "step" ? `step ${element.name}` : 
 // element.
 const header = 3;
 
-// Returns the nodes of a drawing by their lines in the text of the drawing, or null if they do not correspond.
+// Returns a map from each line of the text of a drawing to its nodes, or null if the lines and the nodes do not
+// correspond.
 function nodesByLine(text, svg) {
     const lines = text.split("\n").slice(header, -2), nodes = [...svg.children].slice(header - 1), known = new Map();
     if (lines.length !== nodes.length) return null;
@@ -313,7 +314,7 @@ class TextPane {
         return line;
     }
 
-    // Returns the offset of a position of a diagnostic.
+    // Returns the offset in the text of a position that a diagnostic gives as line and character.
     offset(line, character) {
         let begin = 0;
         for (let k = 0; k < line; ++k) begin = this.value.indexOf("\n", begin) + 1 || this.value.length;
@@ -441,8 +442,9 @@ class Page {
         else if (document.activeElement === this.text.field) this.caret(this.text.field.selectionStart);
     }
 
-    // Sends a change after the typed text, and shows its result. Returns the response. A request with positions contains
-    // the version of the text to which they belong, so that the server rejects it if the typed text has changed them.
+    // Sends a change after the typed text, and shows its result. Returns the response. A request with positions
+    // contains the version of the text in which the positions are valid, so that the server rejects the request if
+    // typed text has changed the positions.
     change(path, request = {}) {
         let result = null;
         return this.enqueue(async () => {
@@ -458,7 +460,7 @@ class Page {
         }).then(() => result);
     }
 
-    // Shows a state. If `scroll` is true, makes the selected element visible.
+    // Shows a state of the file that the server has sent. If `scroll` is true, makes the selected element visible.
     take(state, scroll = true) {
         this.state = state;
         this.known = state.version;
@@ -565,7 +567,7 @@ class Page {
             if (answer.problem) return;
             this.copied = answer.text;
             by("selection").textContent = `Copied: ${steps.map((each) => titleOf(each)).join(", ")}. Select a step or a transition, then paste.`;
-            navigator.clipboard?.writeText(answer.text).catch(() => {});  // for other programs
+            navigator.clipboard?.writeText(answer.text).catch(() => {});  // other programs can paste the text
         });
     }
 
@@ -672,7 +674,7 @@ class Page {
         if (by("simulating").open) await this.simulate(state);
     }
 
-    // Simulates the text that was checked last.
+    // Updates the simulator, which simulates the text that the server checked last.
     async simulate(state) {
         if (state.readable && state.reading !== this.drawn) {
             this.drawn = state.reading;
@@ -682,7 +684,7 @@ class Page {
         this.simulator.take(state);
     }
 
-    // Requests newer states without end. A hidden page sends no requests.
+    // Requests newer states in an endless loop. A hidden page sends no requests.
     async follow(path, take) {
         for (let pause = 0;;) {
             if (document.hidden) await new Promise((seen) => document.addEventListener("visibilitychange", seen, {once: true}));
@@ -700,9 +702,9 @@ class Page {
     run() {
         let verdicts = 0;
         this.follow(() => `/document?after=${this.known}`, (state) => this.enqueue(() => {
-            // An older state than the known state is a response to a request before the last change. While typed text
-            // has not been sent, a new state is ignored, so that the server rejects the text if another window has
-            // changed it.
+            // A state that is older than the known state is the response to a request from before the last change.
+            // While typed text has not been sent, a new state is ignored, so that the server rejects the text if
+            // another window has changed it.
             if (!state || (state.version <= this.known && this.known !== 0)) return;
             if (this.pending) this.known = state.version;
             else this.take(state);

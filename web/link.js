@@ -18,7 +18,7 @@ async function copy(text) {
     }
 }
 
-// `address()` returns the address to copy.
+// Returns a button that copies the address that `address()` returns.
 export function linkButton(address) {
     const words = "Copy link";
     const button = make("button", {type: "button", title: "Copy the address of this state", "aria-live": "polite", onclick: async () => {

@@ -100,7 +100,7 @@ class Page {
         showStatus("bad", error.message);
     }
 
-    // Requests new results without end. A hidden page sends no requests, because browsers limit the number of
+    // Requests new results in an endless loop. A hidden page sends no requests, because browsers limit the number of
     // connections to one server.
     async run() {
         for (let pause = 0;;) {

@@ -58,11 +58,12 @@ export class Page {
         if (this.player && this.current === name && `#${address}` === this.written) return true;
         this.open(name, cut < 0 ? null : address.slice(cut + 1), quiet);
         this.place.closest("section")?.scrollIntoView();
-        this.player.element.focus({preventScroll: true});  // so that the player receives keys
+        this.player.element.focus({preventScroll: true});  // the player then receives keys
         return true;
     }
 
-    // Shows the property of an address whose run is not on the page, or reports the address.
+    // If the page does not contain the run that the address names, shows the property of this name, or a message if
+    // there is none.
     miss(address, name) {
         const property = document.getElementById(`property-${name}`);
         if (property) {
@@ -106,7 +107,7 @@ for (const view of document.querySelectorAll("figure > .drawing")) new Zoom(view
 const drawings = document.getElementById("charts");
 if (drawings?.querySelector("svg.grafcet")) drawings.querySelector("h2").after(new Find(drawings).element);
 const element = document.getElementById("data"), place = document.getElementById("player") ?? make("div", {});
-// A page without runs has no player, but also follows its address.
+// A page without runs has no player, but its address is evaluated, too.
 if (!place.isConnected) document.querySelector("main")?.prepend(place);
 if (element) window.page = new Page(JSON.parse(element.textContent), place);
 for (const button of document.querySelectorAll("[data-run]")) {

@@ -11,7 +11,7 @@ const kindOf = (property) => property.verdict === "unknown" ? "unknown" : !prope
 // then properties that hold as expected.
 const rank = (property) => ["bad", "unknown", "expected", "ok"].indexOf(kindOf(property));
 
-// `report` is the address of the report of the model, or an empty string.
+// Returns the element of a property. `report` is the address of the report of the model, or an empty string.
 function propertyElement(property, report) {
     const kind = kindOf(property);
     const mark = {holds: "\u2713", violated: "\u2717", unknown: "?"}[property.verdict];
@@ -33,7 +33,7 @@ const progress = {waiting: "Waiting.", refused: "This model cannot be checked."}
 
 const reportAddress = (model) => `/report?token=${token}&${model.kind === "loop" ? "loop" : "chart"}=${encodeURIComponent(model.name)}`;
 
-// If `report` is true, the element of a model contains a link to its report.
+// Returns the element of a model. If `report` is true, the element contains a link to the report of the model.
 function modelElement(model, report) {
     const running = model.state === "running" ? `Being checked${model.progress ? `: ${model.progress}` : ""} \u2026` : progress[model.state] ?? "";
     return make("div", {class: `model ${model.state}`},

@@ -89,7 +89,7 @@ const bundle = buildSync({
     absWorkingDir: own, nodePaths: [modules], platform: "node", target: "node18", external: ["vscode"], legalComments: "none",
 });
 add("extension.js", bundle.outputFiles[0].contents);
-// The language client runs this script, which is in the folder of its code, to terminate a server that does not end.
+// The language client runs this script to terminate a server that does not end. It expects the script next to its code.
 const script = "terminateProcess.sh";
 add(script, fs.readFileSync(path.join(modules, "vscode-languageclient/lib/node", script)), 0o100755);
 

@@ -858,7 +858,7 @@ class Loop:
     def __init__(self, file: _core.File, name: str, constants: Iterable[str] = ()):
         self._file = file
         self.name = name
-        self._constants = frozenset(constants)  # the constants whose values the reader of the file has set
+        self._constants = frozenset(constants)  # constants whose values were given when the file was read
 
     @property
     def properties(self) -> list[str]:
@@ -871,8 +871,8 @@ class Loop:
               timeout: Duration | None = None, memory: int | None = None, states: int | None = None,
               whole: bool = False, certificate: str | os.PathLike[str] | None = None) -> Report:
         """Checks the given properties, or by default all, with the timed engine. `timeout` is in seconds and
-        `memory` in bytes. If a limit is reached, the remaining verdicts are unknown. `certificate` is a folder; the
-        files that are written into it prove the verdicts to the program `grafverif-certify`."""
+        `memory` in bytes. If a limit is reached, the remaining verdicts are unknown. `certificate` is a folder, into
+        which a certificate of the verdicts is written; the program `grafverif-certify` checks it."""
         core = self._file.check(self.name, _core.How(mode=mode, grain=grain), list(properties),
                                 _bounds(timeout, memory, states), whole, False, certificate is not None)
         report = Report(core)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Controls a page in Chromium, which runs without a window, by Selenium and chromedriver.
+"""Controls a page in headless Chromium with Selenium and chromedriver.
 
 A test file is a Python program that ends in `browser.main()`. Each test is a `browser.Case`: it opens pages, presses
 keys and reads the page. At the end of each test the console must contain no error, and no request may have been sent to
@@ -65,13 +65,14 @@ def run(*arguments, code=0, folder=None):
     return done.stdout
 
 
-# Limit, in seconds, of a wait for the page. It only ends tests that fail, so that it also fits a loaded machine.
+# Maximum time, in seconds, to wait for the page. Only failing tests wait that long, so that the limit also allows for a
+# loaded machine.
 PATIENCE = 40
 
 
 def eventually(question, seconds=PATIENCE, what=""):
-    """Returns the first true result of `question`, which is called repeatedly. A call is repeated if the page replaces
-    an element during the call."""
+    """Calls `question` repeatedly and returns its first true result. If the page replaces an element during a call, the
+    call is repeated."""
     end = time.monotonic() + seconds
     while True:
         try:
@@ -208,7 +209,7 @@ class Page:
         return asked
 
 
-# Returns the faults of the texts of an SVG: a text outside the page, or overlapping another text.
+# Script that returns the layout faults of an SVG: texts outside the page, and texts that overlap other texts.
 SVG_FAULTS = """
 const svg = document.querySelector('svg'), page = svg.getBoundingClientRect();
 const texts = [...svg.querySelectorAll('text')].filter(t => t.textContent.trim())
@@ -227,8 +228,8 @@ for (let i = 0; i < level.length; ++i)
 return faults.slice(0, 20);
 """
 
-# Returns the texts whose contrast with the background is less than 4.5 to 1, or 3 to 1 for large text (WCAG 2.1,
-# 1.4.3).
+# Script that returns the texts whose contrast with the background is less than 4.5 to 1, or 3 to 1 for large text (WCAG
+# 2.1, 1.4.3).
 FAINT_TEXTS = """
 const colour = text => { const n = text.match(/[\\d.]+/g).map(Number); return n.length < 4 ? [...n, 1] : n; };
 const over = (a, b) => [0, 1, 2].map(k => a[k] * a[3] + b[k] * (1 - a[3])).concat(1);
@@ -252,8 +253,8 @@ for (const e of document.querySelectorAll('body *')) {
 return faults.slice(0, 20);
 """
 
-# Returns the accessibility faults: controls, fields and pictures without a name; a page without language, title, main
-# element or heading; duplicate ids.
+# Script that returns the accessibility faults of a page: controls, fields and pictures without a name; a page without
+# language, title, main element or heading; duplicate ids.
 UNNAMED = """
 const faults = [];
 const named = e => (e.getAttribute('aria-label') || e.textContent || e.title || '').trim() ||
@@ -273,7 +274,7 @@ for (const e of document.querySelectorAll('[id]')) { if (ids.has(e.id)) faults.p
 return faults.slice(0, 20);
 """
 
-# Returns the number of pixels by which the page is wider than its window.
+# Script that returns the number of pixels by which the page is wider than its window.
 EXCESS_WIDTH = "return document.documentElement.scrollWidth - document.documentElement.clientWidth"
 
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Tests drawn charts in a browser: their texts fit into their boxes with each of the fonts."""
+"""Tests drawn charts in a browser: all texts fit into their boxes, in every tested font."""
 import browser
 
-# Returns the names of steps and labels of actions that extend beyond their boxes.
+# Script that returns the names of steps and the labels of actions that extend beyond their boxes.
 MISFITS = """
 return [...document.querySelectorAll('g.step > text.name, g.action > text.label, g.forcing > text.label')]
   .filter((text) => {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Tests the page of `edit` in a browser: operations by mouse and keys, the text, undo, files."""
+"""Tests the page of `edit` in a browser: mouse and keyboard operations, the text editor, undo, and files."""
 import json
 import os
 import signal

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Tests the page of `report` in a browser: presses keys, follows addresses and unfolds conditions."""
+"""Tests the page of `report` in a browser: presses keys, opens addresses and expands conditions."""
 import browser
 from browser import Keys, eventually
 

@@ -12,7 +12,7 @@ SMALL = """grafcet lamp { input ON; output LAMP; initial step 0; step 1 { LAMP; 
 transition on: 0 -> 1 when ON; transition off: 1 -> 0 when !ON; }
 closed_loop house { controller lamp with every_cycle; environment B = free(OUT = ON); property p: never LAMP; }
 """
-# In a view, returns the position of a step relative to the view, in parts of its width and height.
+# Script that returns the position of a step in a view, as fractions of the width and height of the view.
 PLACE = """const v = document.querySelector(arguments[0]), b = v.getBoundingClientRect(), s = v.querySelector(arguments[1]).getBoundingClientRect();
 return [(s.left + s.width / 2 - b.left) / b.width, (s.top + s.height / 2 - b.top) / b.height];"""
 TINY = """return [...document.querySelectorAll('button, select, input, summary, a')].filter(e => e.checkVisibility() && !e.closest('p, li, td, nav'))
@@ -21,7 +21,7 @@ TINY = """return [...document.querySelectorAll('button, select, input, summary, 
 
 
 def large():
-    """A chart of 100 steps with names of several scripts, and a property whose text contains characters of markup."""
+    """A chart of 100 steps with names of several scripts, and a property whose text contains markup characters."""
     lines = ["grafcet große_Anlage {", f"    input {', '.join(c.strip('!') for c in CONDITIONS)};", "    output МОТОР, Lüfter;", "    initial step 0;"]
     lines += [f"    step {k} {{ {'МОТОР' if k % 3 else 'Lüfter'}; }}  // <b>&amp; \"{k}\" '" for k in range(1, STEPS)]
     lines += [f"    transition t{k}: {k} -> {(k + 1) % STEPS} when {CONDITIONS[k % 4]};" for k in range(STEPS)]
@@ -61,7 +61,8 @@ class Views(browser.Case):
         button.click()
 
     def wheel(self, selector, x, y, delta):
-        """Turns the wheel with Ctrl at a point of the element, given in parts of its width and height."""
+        """Turns the mouse wheel with Ctrl pressed, at a point of the element given as fractions of its width and
+        height."""
         self.page.script("""const v = document.querySelector(arguments[0]), b = v.getBoundingClientRect();
             v.dispatchEvent(new WheelEvent('wheel', {bubbles: true, cancelable: true, ctrlKey: true, deltaY: arguments[3],
                 clientX: b.left + b.width * arguments[1], clientY: b.top + b.height * arguments[2]}))""", selector, x, y, delta)

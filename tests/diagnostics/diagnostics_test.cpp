@@ -70,7 +70,7 @@ std::vector<fs::path> examples() {
     return found;
 }
 
-/// Runs the stages of `testgen` in both modes, until one reports an error.
+/// Runs the stages of `testgen` in both execution modes, until a stage reports an error.
 void test(const Equations& equations, Diagnostics& diagnostics) {
     for (const ExecutionMode mode : {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle}) {
         AutomatonOptions options;

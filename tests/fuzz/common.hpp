@@ -37,7 +37,7 @@ closed_loop pressing {
 }
 )";
 
-/// Returns the diagnostics as displayed to users. Formatting them must not fail either.
+/// Returns the diagnostics as displayed to users. The targets call this function because formatting must not fail.
 inline std::string shown(const Diagnostics& diagnostics, const Sources& sources) {
     std::ostringstream text;
     render_text(diagnostics.all(), sources, Colour::Plain, text);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads random bytes as the output of external programs, because NuSMV and verifyta may print anything.
+// Fuzz targets that read random bytes as the output of NuSMV and verifyta, because external programs may print
+// anything.
 #include "check/external/nusmv.hpp"
 #include "check/external/verifyta.hpp"
 #include "emit/nusmv/nusmv.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Messages of a client of the MCP server.
+// Fuzz target for messages that a client sends to the MCP server.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -14,7 +14,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Replaces a command. Prints a result of `check`, a drawing, or an error, depending on the number of its arguments.
+/// Stub that replaces the execution of commands. Depending on the number of arguments, it prints a result of `check`, a
+/// drawing, or an error.
 ProgramResult command(const mcp::CommandRun& run) {
     const std::string_view verdicts =
         R"({"model":"m","properties":[{"name":"p","text":null,"file":null,"line":null,"column":null,"verdict":"unknown",)"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads tables and lines: tests and exclusions in CSV, recordings, lines of the test protocol, and interactive
-// commands.
+// Fuzz targets that read tables and lines: tests and exclusions in CSV, recordings, lines of the test protocol, and
+// interactive commands.
 #include <sstream>
 
 #include "fuzz/common.hpp"

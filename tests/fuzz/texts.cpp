@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Reads texts: the language of grafverif, other chart formats, and Structured Text. An accepted text must be well
-// formed, and its printed form must be read back as the same model. A rejected text must have an error that can be
-// displayed.
+// Fuzz targets that read texts: the language of grafverif, other chart formats, and Structured Text. An accepted text
+// must be well formed, and its printed form must be read back as the same model. A rejected text must have an error
+// that can be displayed.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>

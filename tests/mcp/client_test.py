@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Tests `grafverif mcp` as a process: its tools, limits and cancellation, and its end."""
+"""Tests `grafverif mcp` as a process: its tools, limits, cancellation and termination."""
 import json
 import os
 import re
@@ -112,7 +112,7 @@ class Mcp(unittest.TestCase):
         self.await_children(client, 1)
         client.stop_reading()
         client.process.wait(timeout=60)
-        self.assertEqual(client.process.returncode, 128 + signal.SIGPIPE)  # as for every command
+        self.assertEqual(client.process.returncode, 128 + signal.SIGPIPE)  # the exit code of every command
 
     def test_a_signal_ends_the_server(self):
         client = self.begin()
@@ -151,7 +151,7 @@ class Mcp(unittest.TestCase):
             direction, message = line.split(" ", 1)
             message = json.loads(message)
             if direction == "-->" and message["method"] == "initialize":
-                client = self.begin()  # it sends this request and the following notification
+                client = self.begin()  # begin() sends this request and the following notification
                 answer = {"result": client.server}
             elif direction == "-->" and "id" in message:
                 client.send(message)

@@ -28,7 +28,7 @@
 namespace grafverif {
 namespace {
 
-/// Time limit of each engine, because either can take minutes on some small models.
+/// Time limit of NuSMV and of the embedded engine, because each can take minutes for some small models.
 constexpr std::chrono::seconds time_limit(2);
 
 /// The results of NuSMV, with its model and its output for failure messages.
@@ -57,7 +57,8 @@ struct Agreement {
     std::size_t verdicts = 0, runs = 0, given_up = 0;
 };
 
-/// Checks, with the reference evaluation of the property, that a run returned by NuSMV proves its verdict.
+/// Compares the results of NuSMV with those of the symbolic engine: the number of states, the verdicts, and the runs.
+/// Runs without a loop have the minimum length in both results.
 void expect_agreement(const TransitionSystem& system, const std::string& program, Agreement& agreement) {
     const SymbolicResult own = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + time_limit});
     if (own.fault) return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Tests the exported models with NuSMV, if it is installed. NuSMV must accept every model, find it total, compute the
-// same number of states, and give the verdicts of an explicit search of the transition system.
+// Tests the exported models with NuSMV, if it is installed. NuSMV must accept every model and confirm that its
+// transition relation is total. The number of states and the verdicts must equal those of an explicit search of the
+// transition system.
 #include "emit/nusmv/nusmv.hpp"
 
 #include <gtest/gtest.h>

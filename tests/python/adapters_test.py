@@ -13,7 +13,8 @@ root = pathlib.Path(__file__).parents[2]
 
 
 class Plc:
-    """The pump of check-recordings.md: START at 1 s, PUMP at 1.01 s, HORN when the pump has run for `duration`."""
+    """Simulates the PLC of the pump in check-recordings.md: START at 1 s, PUMP at 1.01 s, HORN when the pump has run
+    for `duration`."""
 
     def __init__(self, duration):
         self.now = 100.0

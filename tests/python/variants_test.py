@@ -129,7 +129,7 @@ def test_limits_and_wrong_requests_of_a_fault_analysis(driveway, press):
 
 
 def added(recording, log):
-    """Adds the samples of a CSV log and returns the answers."""
+    """Adds the samples of a CSV log to a recording and returns the result of each call."""
     with open(log, encoding="utf-8") as file:
         return [recording.add(float(row.pop("time")), {name: int(value) for name, value in row.items() if value})
                 for row in csv.DictReader(file)]

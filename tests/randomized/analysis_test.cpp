@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Compares the analysis with an explicit search that uses neither equations nor decision diagrams: the interpreter
-// visits all points of a random chart. A point is a state of the chart during an instant; a rest is a state in which an
-// instant ends. Both methods model time in the same way: between two instants the timers that watch the same step may
-// expire, in the order of their durations.
+// visits all points of a random chart. An instant is a time at which inputs or timers change and the chart evolves. A
+// point is a state of the chart during an instant; a rest is a state in which an instant ends. Both methods model time
+// in the same way: between two instants the timers that watch the same step may expire, in the order of their
+// durations.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -329,7 +330,7 @@ bool masked(const std::string& fact, const Facts& expected) {
 
 /// Limits of the analysis of a chart.
 struct Bounds {
-    int looks = -1;  ///< number of instants of the parts after which the analysis stops; negative: no limit
+    int looks = -1;  ///< number of instants after which the analysis of a part of the chart stops; negative: no limit
     std::int64_t longest_count = 256;
 };
 
@@ -337,9 +338,9 @@ std::string fact_of(const std::string& code, const std::string& subject) {
     return code + (subject.empty() ? "" : " " + subject);
 }
 
-/// Returns the wrong statements about open queries: the analysis must have found every event of the instants that it
-/// searched. An open query is not wrong if a finding with the same code and subject exists, because several queries can
-/// have the same subject.
+/// Returns the wrong statements about open queries, which the analysis did not decide: it must have found every event
+/// of the instants that it searched. An open query is not wrong if a finding with the same code and subject exists,
+/// because several queries can have the same subject.
 std::string wrongly_open(const Analysis& analysis, const Facts& expected, const std::set<std::string>& found) {
     std::string text;
     for (const OpenQuestion& question : analysis.open) {
@@ -394,7 +395,7 @@ std::string disagreement_on_graph(const Chart& chart, const Equations& equations
         sure = sure && finding.timing != Finding::Timing::Unconfirmed;
         for (const std::string& each : finding.lost) {
             found[each] = finding.level;
-            // The region of this finding may be infeasible.
+            // The analysis found no times for the path to the region of this finding.
             if (finding.timing == Finding::Timing::Unconfirmed) unconfirmed.insert(each);
         }
         if (finding.lost.empty() || finding.timing == Finding::Timing::Unconfirmed) continue;
@@ -433,7 +434,7 @@ std::string disagreement_on_graph(const Chart& chart, const Equations& equations
     const auto regions = graph.regions();
     if (region && one_part && sure && regions.size() < 2) {
         std::vector<bool> inside = regions.empty() ? std::vector<bool>(graph.nodes.size()) : regions.front();
-        bool any = false;  // true if a transition occurs infinitely often outside the only region
+        bool any = false;  // true if a transition is cleared infinitely often outside the only region
         for (const Id<Chart::Transition> id : chart.transitions.ids()) {
             const std::string& fired = chart.transitions[id].name;
             for (std::size_t k = 0; k < inside.size(); ++k) {

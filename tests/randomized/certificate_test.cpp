@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Certificates of random networks and closed loops. `grafverif-certify` must accept each certificate. It must reject
-// each damaged certificate, also if the checksums of the damaged files are correct, and each certificate of another
-// model. An accepted damage must leave all claims true: the timed engine is the second route.
+// each certificate of another model, and each damaged certificate with wrong checksums. It may accept a damaged
+// certificate with correct checksums only if all its claims are true: the test compares them with the verdicts of the
+// timed engine.
 #include "emit/certificate/certificate.hpp"
 
 #include <gtest/gtest.h>
@@ -72,7 +73,8 @@ private:
     fs::path folder_ = {};
 };
 
-/// Returns the network without properties of several verdicts.
+/// Returns the network without properties that have several verdicts, need an observer, or are formulas for external
+/// tools.
 Network with_single_verdicts(Network network) {
     for (const Property& property : std::exchange(network.properties, {}))
         if (property.pattern != Pattern::ReachableAllSteps && property.pattern < Pattern::Watched)
@@ -206,8 +208,8 @@ TEST(RandomizedCertificate, CertificatesOfRandomModelsAreAccepted) {
     EXPECT_GT(shown["violated, proved by the states"], 0);
 }
 
-/// Returns the certificate with a change that alters its meaning, and with correct checksums. `changes_states` is true
-/// if the set no longer contains some state.
+/// Returns the certificate with a change that alters its meaning, and with correct checksums. `changes_states` becomes
+/// true if a state of the set was removed or changed.
 Files with_other_meaning(const Files& files, std::mt19937& random, bool& changes_states) {
     Files changed = files;
     changes_states = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Randomized tests of chart instances: a random loop is written with instances of a random chart, and with the charts
-// written out. Both loops have the same network except for the names, and the same verdicts and runs.
+// Randomized tests of chart instances: a random loop is written once with instances of a random chart, and once with a
+// separate chart for each instance. Both loops have the same network except for the names, and the same verdicts and
+// runs.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ namespace {
 
 enum class As { Controllers, PartialCharts };
 
-/// Writes a random loop with instances, or with the charts written out. The random choices are the same.
+/// Writes a random loop with instances, or with a separate chart for each instance. The random choices are the same.
 class InstanceWriter {
 public:
     InstanceWriter(Random random, As as, bool instances) : random_(random), as_(as), instances_(instances) {}

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Compares a circuit, its AIGER text and its BTOR2 text with the transition system from which they were generated;
-// independent readers read the texts. The possible runs of each must be runs of the system, the properties must hold
-// exactly in the states in which their terms hold, and every state must be reached.
+// independent readers read the texts. Each run that satisfies the constraints must be a run of the system. The
+// properties must hold exactly in the states in which their terms hold, and every state must be reached.
 #include "circuit/circuit.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,8 @@ struct Seen {
     std::size_t systems = 0, steps = 0, targets = 0, hits = 0, starts = 0;
 };
 
-/// A random run of the circuit. It tries inputs until the current state is possible, and then executes a step.
+/// A random run of the circuit. It tries inputs until the current state satisfies the constraints ("is possible"), and
+/// then executes a step.
 class Walk {
 public:
     Walk(const Circuit& circuit, Random& random) : circuit_(circuit), random_(random), values_(circuit.gates.size()) {}
@@ -65,7 +66,7 @@ private:
     std::vector<bool> given_ = {};
 };
 
-/// Compares the functions of `circuit` in one state with the terms.
+/// Compares the values of the properties in `circuit` in one state with those of the terms of the system.
 void expect_targets(const System& system, FlatSystem& flat, const Circuit& circuit, const NodeValues& values,
                     const std::vector<std::int64_t>& state, Seen& seen) {
     const auto value = [&](Id<Expr> term) {
@@ -212,7 +213,8 @@ TEST(RandomizedCircuit, MakesTheStepsOfRandomLoops) {
     EXPECT_GT(seen.steps, 0u);
 }
 
-/// Checks that the encoding of values does not change any value.
+/// Checks that the encoding of integers as bits has exactly the values of their ranges, and that steps preserve these
+/// values.
 TEST(RandomizedCircuit, WordsHoldTheValuesOfTheirRanges) {
     for (const Type type : {integer_type(-3, 4), integer_type(-4, 3), integer_type(0, 5), integer_type(7, 7),
                             integer_type(5, 9), integer_type(1000, 1003), integer_type(-9, -8), Type{}}) {

@@ -86,7 +86,7 @@ RandomText changed(RandomText made, Random& random) {
     case 2: one = fmt::format("IF a OR NOT a THEN {} END_IF;", one); break;
     case 3: std::swap(one, made.statements.front()); break;
     case 4: one += " r := r;"; break;
-    default:  // a difference after several scans
+    default:  // a change whose effect may appear after several scans
         one += fmt::format(" IF (m > {}) AND {} THEN {} END_IF;", random_number(random, 0, 3), condition(random),
                            statement(random, made.timed));
         break;
@@ -97,7 +97,8 @@ RandomText changed(RandomText made, Random& random) {
 /// Two interpreters that execute the same scans.
 struct Pair {
     std::array<ProgramRun, 2> runs;
-    /// Cells that must not change in a settled program; empty if each scan is executed once.
+    /// For each program: if scans are repeated until the program is stable, the cells that must not change in a stable
+    /// program; otherwise nothing.
     std::array<std::optional<std::vector<std::size_t>>, 2> settled = {};
 
     enum class Result { Same, Different, BothStop };
@@ -139,7 +140,7 @@ struct Searched {
     std::size_t depth = 0;  ///< number of scans that were explored completely
 };
 
-/// Explores all pairs of states, by number of scans.
+/// Explores all pairs of states, in the order of the number of scans that lead to them.
 Searched search(const Program& a, const Program& b, const Pair& first) {
     Searched found;
     std::set<std::vector<std::int64_t>> seen;
@@ -171,7 +172,7 @@ std::string error_texts(const Diagnostics& diagnostics, const Sources& sources) 
     return text.str();
 }
 
-/// Returns the error in the replay of a difference or a run-time fault.
+/// Returns the error in the replay of a difference or a run-time fault, or an empty string.
 std::string replay_error(const Comparison& found, Pair pair) {
     for (std::size_t scan = 0; scan < found.scans.size(); ++scan) {
         const Pair::Result result = pair.scan(found.scans[scan].inputs, found.scans[scan].wait_ms);

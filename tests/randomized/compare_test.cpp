@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Randomized test: charts that `compare` reports as equal have equal outputs in random scans of the interpreter. In the
 // interpreter, a distinguishing sequence distinguishes the charts in its last scan and not before. If it is reported as
-// shortest, no shorter random sequence distinguishes them. The test uses charts and their mutants in both modes,
-// including timed charts. It also checks that a mutant of `mutate` is read back as written, and that it differs in one
-// location, which `compare` detects.
+// shortest, no shorter random sequence distinguishes them. The test uses charts and their mutants in both execution
+// modes, including timed charts. It also checks that a mutant of `mutate` is read back as written and differs in one
+// location, and compares some mutants with their charts.
 #include "pipeline/variants/compare.hpp"
 
 #include <gtest/gtest.h>
@@ -64,7 +64,8 @@ private:
     State state_;
 };
 
-/// Returns the index of the first scan with different outputs.
+/// Returns the index of the first scan with different outputs. Returns nothing if the outputs are equal until the
+/// charts stop.
 std::optional<std::size_t> difference(const Chart& a, const Chart& b, ExecutionMode mode,
                                       const std::vector<Comparison::Scan>& scans) {
     Plc one(a, mode), other(b, mode);
@@ -91,7 +92,7 @@ std::vector<Comparison::Scan> random_scans(const Comparison& about, Random& rand
     return scans;
 }
 
-/// Returns a chart with one element changed, which may be invalid.
+/// Returns the chart with one element changed. The changed chart may be invalid.
 Chart mutant(Chart chart, Random& random) {
     const auto any = [&](auto& table) -> auto& {
         return table[*(table.ids().begin() + random_number(random, 0, static_cast<std::int64_t>(table.size()) - 1))];
@@ -237,7 +238,7 @@ std::string misplaced(const Mutant& mutant, const Chart& a, const Chart& b) {
 
 TEST(RandomizedCompare, MutantsDifferInOnePlaceAndEquivalentOnesAreNeverDistinguished) {
     Met met;
-    constexpr std::size_t most = 4;  // the number of charts that are compared
+    constexpr std::size_t most = 4;  // maximum number of mutants of each chart that are compared
     int read = 0, refused = 0;
     std::set<std::string> kinds;
     for (int seed = 1; seed <= test_size(8); ++seed) {
@@ -310,8 +311,8 @@ std::optional<Comparison> with_controller(const Chart& chart, const Chart& other
     return found;
 }
 
-/// True if the program stops in the last scan and the chart does not, as when the program reaches its maximum number of
-/// evolutions.
+/// True if the program stops in the last scan and the chart does not, for example because the program reaches its
+/// maximum number of evolutions.
 bool is_cut(const Comparison& found, std::size_t program) {
     return !found.scans.empty() && !found.answers[program].back().stop.empty() &&
            found.answers[1 - program].back().stop.empty();

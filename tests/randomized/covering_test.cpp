@@ -27,7 +27,7 @@ struct Seen {
     std::uint64_t states = 0, stored = 0;
 };
 
-/// Replaces the properties by those about single states, and adds the reachability of each location.
+/// Keeps only the properties about single states, and adds a property about the reachability of each location.
 void use_single_states(Network& network) {
     for (const Property& property : std::exchange(network.properties, {}))
         if (is_about_single_states(property.pattern)) network.properties.add(property);
@@ -48,7 +48,7 @@ Errors errors_of(const TimedResult& result) {
 }
 
 /// True if both results contain the same verdicts, with runs of the same length. `one` may contain more model errors: a
-/// search records one error per state, and a state that is omitted may have had another one.
+/// search records one error per state, and an omitted state may have another error.
 bool are_equal(const TimedResult& one, const TimedResult& other) {
     const auto length = [](const Verdict& verdict) { return verdict.run ? verdict.run->moves.size() : 0; };
     for (std::size_t i = 0; i < one.verdicts.size(); ++i) {

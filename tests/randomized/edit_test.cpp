@@ -52,7 +52,7 @@ void replace(Names& names, const std::string& name, const std::string& by) {
     if (names.erase(name) != 0) names.insert(by);
 }
 
-/// Returns the links after an operation that adds the step `fresh` or no step.
+/// Returns the expected links after an operation, which adds the step `fresh` or no step.
 std::multiset<Link> expected_links(const Graph& before, OperationKind kind, const std::string& step,
                                    std::size_t transition, const std::string& fresh, const std::string& target) {
     std::vector<Link> links = before.links;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Randomized test of compose: the network of a controller, executed by the reference semantics, agrees with its
-// equations, cycle by cycle and timer by timer, in both grains and both modes. The test drives the inputs of the
-// controller.
+// Randomized test of compose: the network of a controller agrees with the equations of the controller, cycle by cycle
+// and timer by timer. The test covers both grains and both execution modes. The reference semantics execute the
+// network. The test drives the inputs of the controller.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,8 @@
 namespace grafverif {
 namespace {
 
-constexpr int many_edges = 600;  // a controller that needs more edges or cycles in one instant never stabilizes
+/// A controller that needs more edges or cycles in one instant is assumed never to stabilize.
+constexpr int many_edges = 600;
 
 /// The network and the equations of one controller, executed in lockstep.
 struct Pair {
@@ -43,7 +44,7 @@ struct Pair {
     }
 
     /// Takes edges until time can pass. Timer expiries come first, because the equations treat all expiries of one
-    /// instant together. Returns false if the model is faulty or never becomes quiescent.
+    /// instant together. Returns false if a model error occurs or the network never becomes quiescent.
     bool settle() {
         for (int count = 0; count < many_edges; ++count) {
             std::vector<TaddMove> moves = tadd.successors(state);

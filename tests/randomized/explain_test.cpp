@@ -58,8 +58,8 @@ SymbolicResult searched(const TransitionSystem& system, const std::vector<Patter
     return options.properties.empty() ? SymbolicResult() : check_symbolic(system, options);
 }
 
-/// The independent computation is the search of `analyse` on the equations of the chart alone. It has no inputs that
-/// change during an instant, and therefore corresponds to the atomic grain.
+/// The independent computation is the search of `analyse` on the equations of the chart alone. In this search, no input
+/// changes during an instant, and therefore it corresponds to the atomic grain.
 TEST(RandomizedExplain, ChartsReportedAsUnstableAreTotallyUnstableForAnalyse) {
     int unstable = 0;
     for (int seed = 1; seed <= test_size(120); ++seed) {
@@ -179,7 +179,7 @@ private:
     }
 
     /// Returns the literals of the condition that the property imposes on `state`, in negation normal form: pairs of a
-    /// term (no constant, NOT, AND or OR) and its required value.
+    /// term that is not a constant, NOT, AND or OR, and its required value.
     std::vector<std::pair<std::uint32_t, bool>> literals(std::size_t state) const {
         std::vector<std::pair<std::uint32_t, bool>> list;
         const auto walk = [&](const auto& self, Id<Expr> term, bool wanted) -> void {
@@ -304,8 +304,8 @@ struct ChangeCounts {
     int mended = 0, hopeless = 0;
 };
 
-/// Compares the shortest change of a run that violates `property` with all sets of free moves. `timed` is `network`
-/// with its clocks.
+/// Compares the shortest change (the smallest set of omitted free moves) of a run that violates `property` with all
+/// sets of free moves. `timed` is `network` with its clocks.
 void expect_smallest(const Network& network, const Network& timed, const Property& property, const grafverif::Run& run,
                      ChangeCounts& counts) {
     const auto good = [&](const NetworkState& state) {
@@ -398,7 +398,8 @@ bool is_in(const std::vector<std::string>& names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();
 }
 
-/// Returns the network without timers, instances and timings that are not in `ground`, and without the element `also`.
+/// Returns the network without timers, instances and timings that are not in the proof core `ground`, and without the
+/// element `also`.
 Network left_open(const Network& network, const ProofExplanation::ProofCore& ground, const std::string& also) {
     Network open = network;
     const std::vector<std::string> shown_names = display_names(network);
@@ -418,7 +419,8 @@ Network left_open(const Network& network, const ProofExplanation::ProofCore& gro
     return open;
 }
 
-/// Returns a chart of three steps that moves a short cylinder, with random conditions and six random properties.
+/// Returns a loop of a chart with three steps, which moves a cylinder with a short stroke. The conditions and the six
+/// properties are random.
 std::string random_cylinder(Random& random, bool possible = false) {
     const auto pick = [&](const std::vector<std::string>& words) { return words[below(random, words.size())]; };
     const std::vector<std::string> conditions = {"a", "b", "c", "!a", "!b", "!c", "a && c", "!a && !b"};
@@ -523,7 +525,7 @@ std::vector<std::pair<ProofExplanation::Kind, Model>> left_out_one_by_one(const 
 
 TEST(RandomizedExplain, ReportedProofCoresAgreeWithTheReferenceSemantics) {
     int needed = 0, enough = 0;
-    // Counts of elements that are not needed and that are needed.
+    // Numbers of elements that the proof does not need, and of elements that it needs.
     std::map<ProofExplanation::Kind, std::array<int, 2>> by_itself;
     for (int seed = 1; seed <= test_size(15); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -680,8 +682,8 @@ TEST(RandomizedExplain, RemovalOfAnInstanceOrATimingOnlyAddsStates) {
     EXPECT_GT(timings, test_size(8));
 }
 
-// Tests the same premise for a guard. The removal of an edge that is not forced needs no search, because all states
-// without it are states of the loop.
+// Tests the premise of proofs in which a guard is removed: the removal only adds reachable states. The removal of an
+// edge that is not forced needs no search, because it adds no reachable state.
 TEST(RandomizedExplain, RemovalOfAGuardOnlyAddsStatesAndRemovalOfAnUnforcedEdgeAddsNone) {
     int guards = 0, edges = 0;
     for (int seed = 1; seed <= test_size(6); ++seed) {

@@ -373,8 +373,8 @@ TEST(RandomizedExplainUntimed, DeadTransitionsAreNeverClearedAfterThePointOfNoRe
 
 // -- a chart alone ----------------------------------------------------------------------------------------------------
 
-/// Evaluates the chart evolution by evolution; returns true if every instant of the run ends without the changes
-/// `left_out`.
+/// Executes the chart evolution by evolution without the changes `left_out`; returns true if the chart becomes stable
+/// in every instant of the run.
 bool settles_without(const Chart& chart,
                      const std::vector<std::pair<std::int64_t, std::vector<std::int64_t>>>& instants,
                      const std::set<std::pair<std::size_t, std::size_t>>& left_out) {

@@ -71,7 +71,7 @@ Behaviour chatter() {
             "timed $chatter -> $chatter when $t >= 1s do OUT := !OUT, $t := 0;\n",
             "$t := 0"};
 }
-/// A fault with own variable and two steps: it changes its output a limited number of times.
+/// A fault with its own variable and two locations. It sets its output to true at most twice.
 Behaviour worn() {
     return {"variable $n: int 0..2; clock $t;",
             {"$off invariant $t <= 3s with OUT := false", "$on"},
@@ -158,7 +158,8 @@ Loop random_loop(Random& random) {
 
 enum class Presence { Absent, AnyTime, PowerOn };
 
-/// Returns the loop as text. For each fault: its presence. If `declared`, the faults are declared instead.
+/// Returns the loop as text, in which the components include the behaviour of the faults according to `presence`. If
+/// `declared`, the text declares the faults with `fault` instead.
 std::string text_of(const Loop& loop, const std::vector<Presence>& presence, bool declared = false) {
     std::string text = loop.chart, plant;
     for (std::size_t k = 0; k < loop.instances.size(); ++k) {
@@ -222,8 +223,8 @@ public:
 
     const std::set<FaultSet>& combinations() const { return combinations_; }
 
-    /// A combination violates a property about all runs if it does so in the model of some subset, in which the other
-    /// faults never occur.
+    /// A combination of faults violates a property about all runs if some subset of it violates the property in the
+    /// model in which the other faults never occur.
     Outcome outcome(const FaultSet& faults, const FaultAnalysis::Row& row) const {
         const Outcome own = outcomes_.at({faults, row.property});
         if (row.pattern == Pattern::Reachable || row.pattern == Pattern::ReachableAllSteps || faults.size() == 1)
@@ -260,7 +261,7 @@ private:
         const bool existence = verdict.pattern == Pattern::Reachable || verdict.pattern == Pattern::ReachableAllSteps;
         if (existence && present != all) return;
         const auto [known, fresh] = outcomes_.try_emplace({faults, name}, verdict.outcome);
-        // A violation of a property of states with faults from power-on is also one with faults at any time.
+        // If faults from power-on lead to a violation of a property of states, these faults at any time do so, too.
         const bool of_states = is_about_all_states(verdict.pattern) && name != "p11" && name != "p12" && name != "p15";
         if (!fresh && of_states && verdict.outcome == Outcome::Violated) {
             EXPECT_EQ(word(late.at(name).outcome), "violated") << name;
@@ -292,7 +293,7 @@ void compare_row(const FaultAnalysis::Row& row, const NaiveFaults& naive, Seen& 
     for (const FaultAnalysis::Open& each : row.open) open.insert(each.faults);
     for (const FaultSet& faults : naive.combinations()) {
         const Outcome outcome = naive.outcome(faults, row);
-        if (outcome == Outcome::Unknown) return void(++seen.unknown);  // inexact for dense time
+        if (outcome == Outcome::Unknown) return void(++seen.unknown);  // integer time is inexact for this property
         const bool has_violating_subset = faults.size() == 2 && std::ranges::any_of(faults, [&](std::size_t fault) {
                                               return naive.outcome({fault}, row) == Outcome::Violated;
                                           });
@@ -307,7 +308,7 @@ void compare_row(const FaultAnalysis::Row& row, const NaiveFaults& naive, Seen& 
     for (const FaultSet& faults : minimal) seen.of_two += faults.size() == 2 ? 1 : 0;
 }
 
-/// The verdicts do not depend on the limit of the first search, which determines the order of the searches.
+/// Checks that the verdicts do not depend on the limit of the first search, which determines the order of the searches.
 void compare_schedules(const Model& model, Id<ClosedLoop> loop, std::uint64_t first_states,
                        const FaultAnalysis& usual) {
     Diagnostics diagnostics;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compares the verdicts found on input abstractions with those of the complete loop, on random loops with panels. Each
-// premise of the abstraction is omitted once, to show that the comparison detects the omission.
+// Compares the verdicts found on input abstractions with those of the complete loop, on random loops with operator
+// panels. Each premise of the abstraction is omitted once, to show that the comparison detects the omission.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,11 +33,11 @@ struct Element {
     std::vector<std::string> conditions = {};
 };
 
-/// Returns a chart of three steps with a panel of two or three elements: push buttons with and without a bound on the
-/// time pressed, a selector, a free input, an integer input. The loop also has an actuator of the plant, times and
-/// edges of inputs, and conditional, stored and counting actions. In some loops the instance `Lamp` reads a button directly, or a
-/// second chart reads the same panel; the charts may read outputs of each other. The plant is one of `plants`:
-/// components with an order and a sensor. In some loops a second instance reads the sensor.
+/// Returns a loop of a chart with three steps and a panel with two or three elements: push buttons with and without a
+/// bound on the time pressed, a selector, a free input, an integer input. The loop also has an actuator of the plant,
+/// times and edges of inputs, and conditional, stored and counting actions. In some loops the instance `Lamp` reads a
+/// button directly, or a second chart reads the same panel; the charts may read outputs of each other. The plant is one
+/// of `plants`: components with an order and a sensor. In some loops a second instance reads the sensor.
 std::string panel_loop(Random& random, const std::vector<std::string>& plants) {
     std::vector<Element> panel{{"environment EA = push_button(OUT = A);", "A", {"A", "rise(A)", "fall(A)", "1s/A"}},
                                {"environment EB = free(OUT = B);", "B", {"B", "rise(B)"}},
@@ -332,7 +332,7 @@ TEST(InputAbstraction, SymbolicProofsAgreeWithTheCompleteLoop) {
             ++seen["proofs: " + std::string(word(proof.outcome))];
             if (proof.run) {
                 EXPECT_TRUE(replay(task.abstraction, *proof.run));
-                ++seen["proofs with a run"];  // a run with a model error is not given
+                ++seen["proofs with a run"];  // the proof contains no run that ends with a model error
             }
             return proof;
         };

@@ -85,7 +85,7 @@ std::map<std::string, Outcome> outcomes(const Network& network) {
     return found;
 }
 
-/// The elements that a property reads.
+/// The types of elements that a property reads.
 struct Reads {
     bool timers = false;
     bool inner = false;  ///< steps or internal variables
@@ -103,7 +103,8 @@ Reads reads_of(const Network& network, const Property& property) {
     return reads;
 }
 
-/// Returns the verdict that is preserved, or `Unknown` if there is none.
+/// Returns the outcome that is preserved: if the property has this outcome in the closed loop, it has the same outcome
+/// if inputs are sampled once per search. Returns `Unknown` if no outcome is preserved.
 Outcome preserved(const Network& network, const Property& property) {
     const Reads reads = reads_of(network, property);
     switch (property.pattern) {
@@ -178,7 +179,7 @@ TEST(RandomizedInputSampling, ProgramsThatSampleOncePerSearchHaveThePreservedVer
         const std::map<std::string, Outcome> model = outcomes(loop.network),
                                              program = outcomes(sampling_once(loop.network));
         const auto time = program.find("no_timelock");
-        if (time == program.end() || time->second != Outcome::Holds) continue;  // the search must terminate
+        if (time == program.end() || time->second != Outcome::Holds) continue;  // the stability search must terminate
         for (const Property& property : loop.network.properties) {
             const auto given = model.find(property.name), found = program.find(property.name);
             if (given == model.end() || found == program.end()) continue;

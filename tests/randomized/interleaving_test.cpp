@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Compares compositional checking of untimed models with checking the complete model, on random networks of two to four
-// parts in abstract and in discrete time. Each premise is omitted once, to show that the comparison detects the
-// omission.
+// independent parts, in abstract and in discrete time. Each premise is omitted once, to show that the comparison
+// detects the omission.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -60,8 +60,8 @@ System random_system(Random& random, int parts, TimeModel time) {
     return schedule_network({}, loop_around(network), {}, network, options, diagnostics).value();
 }
 
-/// Follows `run`, which contains only the values of the symbols of main: computes the set of complete states to which it
-/// may lead. An empty set means that `run` is not a run of the system.
+/// Follows `run`, which contains only the values of the symbols of the main module: computes the set of complete states
+/// to which it may lead. An empty set means that `run` is not a run of the system.
 class Follower {
 public:
     Follower(const System& system, const SystemRun& run) : system_(system) {

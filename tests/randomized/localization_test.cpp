@@ -231,7 +231,7 @@ void compare_untimed(const SystemToCheck& check, std::map<std::string, int>& see
 void compare_portfolio(const SystemToCheck& to_check, std::map<std::string, int>& seen) {
     const Report expected = check(to_check, {});
     for (const auto& [alone, jobs] : {std::pair<std::uint64_t, unsigned>{0, 2}, {0, 1}, {~0ULL, 0}}) {
-        if (jobs == 1 && to_check.system.ticks.valid()) continue;  // PDR is slow if clocks are counted
+        if (jobs == 1 && to_check.system.ticks.valid()) continue;  // PDR is slow for models with discrete time
         const Report report = check_together(to_check, {.jobs = jobs}, alone);
         EXPECT_EQ(report.failures, std::vector<std::string>{});
         EXPECT_EQ(report.settings.engine, alone == 0 ? "auto" : "symbolic");
@@ -292,7 +292,7 @@ TEST(RandomizedLocalization, InputAbstractionOfUntimedPanelsGivesTheVerdictsOfTh
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
         std::string text = random_panel(random, {.elements = 2, .observed = false});
-        text.insert(text.rfind('}'), "property passes: no timelock;\n");  // the untimed model does not express it
+        text.insert(text.rfind('}'), "property passes: no timelock;\n");  // not in an untimed model
         const ParseResult reading = read_string(text, "panel");
         ASSERT_TRUE(reading.model) << reading.diagnostics_text();
         ModelOptions how{.grain = seed % 2 == 0 ? Grain::Atomic : Grain::Phased};

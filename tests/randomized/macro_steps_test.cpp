@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Compares searches with and without macro-steps, on random loops, with and without observers and input abstraction.
-// Each premise of macro-steps is omitted once, to show that the comparison detects the omission.
+// Compares searches with and without macro-steps, which omit transient states within PLC cycles, on random loops, with
+// and without observers and input abstraction. Each premise of macro-steps is omitted once, to show that the comparison
+// detects the omission.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +31,7 @@ Network about_states(Network network) {
     return network;
 }
 
-/// Returns the abstraction in which all instances that may be chosen are chosen, and all timers are untimed.
+/// Returns the abstraction with the coarsest level for each process: Chosen if possible, otherwise Untimed.
 InputAbstraction coarse(const Network& network) {
     const std::vector<AbstractableProcess> processes = abstractable_processes(network);
     std::vector<InputLevel> levels;
@@ -53,7 +54,7 @@ int compare(const Network& network, const std::vector<InputChoice>& choices, con
     seen["states with macro-steps"] += static_cast<int>(macro.states);
     for (std::size_t k = 0; k < plain.verdicts.size(); ++k) {
         const Verdict& verdict = macro.verdicts[k];
-        // A model error ends a search; a search without macro-steps may find a violation before it.
+        // A model error ends a search; a search without macro-steps may find a violation before the error.
         const bool is_ended = !macro.errors.empty() && verdict.outcome == Outcome::Unknown;
         if (verdict.outcome != plain.verdicts[k].outcome && !is_ended) ++different;
         ++seen["verdicts: " + std::string(word(verdict.outcome))];
@@ -124,14 +125,14 @@ InputAbstraction with_moving_instances(const Network& network) {
 }
 
 /// Compares the verdicts of a loop, of the loop with each observer, and of their coarse abstractions. The abstractions
-/// of loops with observers are not compared, because an observer may read a chosen instance.
+/// of loops with observers are not compared, because an observer may read an instance of level Chosen.
 int compare(const Network& loop, const MacroStepAblations& without, std::map<std::string, int>& seen) {
     const MacroStepOptions exact{.enabled = true, .without = without};
     int different = compare(with_combinations(about_states(observed(loop, {}))), {}, exact, seen);
     for (const Id<Property> id : watched(loop))
         different += compare(about_states(observed(loop, {id})), {}, exact, seen);
     InputAbstraction abstraction = coarse(loop);
-    // Properties that read chosen instances are not defined in the abstraction.
+    // The abstraction does not define properties that read instances of level Chosen.
     abstraction.network.properties = {};
     for (const Id<Network::Controller> id : loop.controllers.ids())
         for (const auto& step : loop.controllers[id].words.steps)

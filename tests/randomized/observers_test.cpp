@@ -68,7 +68,7 @@ bool holds_counted(const Sentence& watch, const Seen& seen) {
             inner = until((!p) & (!closes), closes | until(p & (!closes), closes | inner));
         return inner;
     };
-    Truth open = G(!p);  // the formula is ((!p W (p W (!p W (p W G !p))))
+    Truth open = G(!p);  // for a count of 2, the formula is !p W (p W (!p W (p W G !p)))
     for (std::int64_t i = 0; i < watch.count; ++i) open = weak(!p, weak(p, open));
     if (watch.scope == Globally) return open[0];
     if (watch.scope == Before) return (F(r) >> phases(until(!p, r), r))[0];

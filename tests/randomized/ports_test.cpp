@@ -97,7 +97,8 @@ Model with_terms(Random& random) {
     return model;
 }
 
-/// Returns the component for an instance in which no input is a term. Each variable that a term reads becomes an input.
+/// Returns the component of an instance in the equivalent loop, in which no input is bound to a term: each variable
+/// that a term reads becomes an input of the component.
 Component written_out(const ClosedLoop& loop, ClosedLoop::Instance& instance, const Component& from) {
     Component made{.name = from.name + "_" + instance.name};
     std::map<std::uint32_t, Id<Expr>> reads;  // indexed by shared variable

@@ -98,7 +98,7 @@ std::size_t bits(const Network& network) {
     return count;
 }
 
-/// Checks one loop in all its models.
+/// Checks the statements about one loop in all models of the loop.
 class Trial {
 public:
     Trial(Model model, std::optional<ExecutionMode> mode) : model_(std::move(model)), mode_(mode) { add_companions(); }
@@ -187,7 +187,7 @@ private:
         SCOPED_TRACE(kind.name);
         const bool interleaved = kind.options.schedule == Schedule::Interleaved;
         for (const ClosedLoop::Controller& controller : loop().controllers)
-            if (controller.cycle && !interleaved) return;  // cycle-without-time
+            if (controller.cycle && !interleaved) return;  // grafverif rejects this combination as `cycle-without-time`
         kind.options.mode = mode_;
         try {
             kind.system = untimed_loop(model_, kind.options, kind.grain);

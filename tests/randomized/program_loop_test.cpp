@@ -58,7 +58,7 @@ component actuator(input ON; output DONE; D = 3ms) {
 struct State {
     TaddState plant = {};
     ProgramRun run;
-    int phase = -1;  ///< -1: before the first scan; 0: waiting; then: begun, sampled, executed
+    int phase = -1;  ///< -1: before the first scan; 0: waiting; 1: scan begun; 2: inputs sampled; 3: program executed
     std::vector<std::int64_t> samples = {};
     std::int64_t since = 0;  ///< time since the last scan
     bool stable = false, requested = false;
@@ -319,7 +319,7 @@ protected:
         const auto network = network_of(model, {0}, ModelOptions{}, diagnostics);
         ASSERT_TRUE(network);
         Network lowered = uppaal::lower(*network);
-        for (Network::Variable& variable : lowered.variables)  // names that the project need not change
+        for (Network::Variable& variable : lowered.variables)  // names that are valid in UPPAAL without changes
             std::ranges::replace_if(
                 variable.name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
         std::ostringstream project;

@@ -47,8 +47,9 @@ Executed executed(const Scan& scan, const std::vector<std::optional<std::int64_t
     return found;
 }
 
-/// The same from the log of the interpreter. Only what both record is compared: a log contains neither the branches nor
-/// the iterations of a statement, and records a condition that is a variable as a read variable.
+/// Returns the executed statements and decided conditions according to the log of the interpreter. The test compares
+/// only what both record: a log contains neither the branches nor the iterations of a statement, and records a
+/// condition that is a variable as a read variable.
 Executed executed(const Program& program, const ScanLog& log, const Scan& scan, Executed& of_terms) {
     using Kind = Program::Statement::Kind;
     std::set<std::uint32_t> conditions;

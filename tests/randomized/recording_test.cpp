@@ -80,7 +80,7 @@ bool is_recordable(const History& recorded, const History& changes, std::int64_t
     return std::ranges::any_of(possible, [&](Ticks before) { return agrees(before, last + 1, value); });
 }
 
-/// A timing up to an instant.
+/// The execution of the chart with a timing, up to an instant.
 struct Execution {
     EquationsState state = {};
     Ticks last = 0;  ///< time of the last instant
@@ -106,7 +106,7 @@ public:
         return timing;
     }
 
-    /// True if a time elapses after the last instant, up to `time - late`.
+    /// True if a duration of a timer elapses after the last instant, up to `time - late`.
     bool elapses(const Execution& timing, Ticks time, Ticks late) const {
         if (!timing.state.started) return false;
         const Ticks passed = time - timing.last;
@@ -120,7 +120,7 @@ public:
         return false;
     }
 
-    /// Appends an instant that observes `seen`. Returns false if the chart has no result.
+    /// Appends an instant that observes `seen`. Returns false if the cycle ends with a fault or never becomes stable.
     bool append(Execution& timing, Ticks time, const std::map<std::size_t, std::size_t>& seen) const {
         if (timing.state.started) timing.state = pass_time(std::move(timing.state), time - timing.last);
         timing.seen = seen;
@@ -224,7 +224,8 @@ History random_history(const Chart::Variable& variable, Ticks begin, Ticks end, 
     return history;
 }
 
-/// Chooses a random admissible timing, and records its outputs with random delays. Empty if the chart has a fault.
+/// Chooses a random admissible timing, and records its outputs with random delays. Returns nothing if the chart has a
+/// fault.
 std::optional<Execution> random_timing(const Timings& timings, Random& random) {
     const Recording& recording = timings.recording();
     const auto delay = [&](Ticks least) { return random_number(random, least, recording.jitter); };
@@ -435,7 +436,7 @@ std::vector<Ticks> random_offsets(const Clocks& clocks, Random& random) {
 }
 
 /// Adds the offset of its clock, multiplied by `sign`, to the time of each change, and omits the changes after `end`.
-/// Empty if a change would not be after the first sample.
+/// Returns nothing if a change would not be after the first sample.
 std::optional<Recording> shifted(Recording recording, const Clocks& clocks, const std::vector<Ticks>& offsets,
                                  Ticks sign, Ticks end) {
     recording.end = end;
@@ -466,8 +467,8 @@ void for_all_offsets(const Clocks& clocks, const auto& use) {
     }
 }
 
-// The slow way: correct the times of the recording by each possible offset, and check the result without offsets. The
-// part of the recording is checked that all clocks have recorded.
+// Reference method: the test corrects the times of the recording by each possible combination of offsets, and checks
+// the result without offsets. It checks the part of the recording that all clocks cover.
 TEST(RandomizedRecording, HasTheVerdictOfTheBestClockOffsets) {
     int conforming = 0, deviating = 0, narrowed = 0, excluded = 0;
     for (int seed = 1; seed <= test_size(3'000); ++seed) {

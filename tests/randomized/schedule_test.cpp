@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Randomized test of schedule: on random charts, the transition system of the controller agrees with its equations,
-// cycle by cycle and in both execution modes. The states that it marks as quiescent are quiescent.
+// Randomized test of schedule: on random charts, the transition system of the controller agrees with the equations of
+// the chart, cycle by cycle and in both execution modes. The states that the system marks as quiescent are quiescent.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -144,7 +144,7 @@ std::string settled_disagreement(const ModelPair& models, std::span<const std::i
     after.step(inputs);
     for (const Id<Equations::Variable> id : models.equations.variables.ids()) {
         const Role role = models.equations.variables[id].role;
-        // The system has no timers and therefore no such variables.
+        // The transition system contains no timers, and therefore no variables with these roles.
         if (role == Role::FiringCondition || role == Role::Watched || role == Role::Previous) continue;
         if (models.value(id) != after.value(id))
             return "settled, but " + models.equations.variables[id].name + " changes";

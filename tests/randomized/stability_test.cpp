@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Randomized tests of the interpreter alone: the meaning of `stable`, and reported total instabilities, which must be
-// real.
+// Randomized tests of the interpreter alone: a stable situation does not change in a further cycle, and a reported
+// total instability cycles through its situations forever.
 #include <gtest/gtest.h>
 
 #include "run/interpreter.hpp"

@@ -25,8 +25,8 @@ namespace {
 
 using System = TransitionSystem;
 
-/// True if a symbol of main is a state variable of main or of an instance. Any other symbol may depend on a choice,
-/// which the graph does not store.
+/// True if a symbol of the main module is a state variable of this module or of an instance. Any other symbol may
+/// depend on a choice, which the graph does not store.
 bool is_state(const System& system, const System::Symbol& symbol) {
     if (const auto* member = std::get_if<System::MemberSymbol>(&symbol.kind)) {
         const Id<System::Module> module = system.instances[member->instance].module;
@@ -35,8 +35,8 @@ bool is_state(const System& system, const System::Symbol& symbol) {
     return std::holds_alternative<System::StateSymbol>(symbol.kind);
 }
 
-/// Returns the states of a graph that agree with `seen` in the state variables of main and in those of instances that
-/// main names.
+/// Returns the states of a graph that agree with `seen` in the state variables of the main module, and in those state
+/// variables of instances that the main module names.
 StateSet looking_like(const System& system, const SystemGraph& graph, const std::vector<std::int64_t>& seen) {
     const Table<System::Symbol>& symbols = system.modules[system.main].symbols;
     return where(graph, [&](const SystemState& state) {

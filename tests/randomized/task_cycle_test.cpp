@@ -18,7 +18,7 @@
 namespace grafverif {
 namespace {
 
-constexpr int many_edges = 600;  // a controller that needs more edges in one instant never stabilizes
+constexpr int many_edges = 600;  // a controller that needs more edges in one instant is assumed never to stabilize
 
 struct Seen {
     int scans = 0, changes = 0, late = 0;
@@ -89,7 +89,7 @@ private:
     }
 
     /// Takes edges until time can pass. Elapsed delays come first, because the interpreter treats all delays of one
-    /// instant together. `scans`: the scan is due.
+    /// instant together. `scans` is true if the next scan is due.
     bool settle(bool scans) {
         for (int count = 0; count < many_edges; ++count) {
             std::vector<TaddMove> moves = tadd_.successors(state_);

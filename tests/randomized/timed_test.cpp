@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compares the engine with the reference semantics on random networks. The discrete states must be equal, and the
+// Compares the timed engine with the reference semantics on random networks. The discrete states must be equal, and the
 // verdicts must be those of a naive fixpoint on the explicit graph. A finer time unit does not change `holds` or
 // `violated`.
 #include <gtest/gtest.h>

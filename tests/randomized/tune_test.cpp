@@ -149,8 +149,9 @@ std::optional<Tuning> tuned_at(const Read& read, const std::vector<TunedConstant
                  diagnostics);
 }
 
-/// Each run at a point belongs to a violation, and violates a property with an observer with the values of the point.
-/// The command has already replayed each run on the charts of its point.
+/// Checks the run at a point: it must belong to a violated property. If the property has an observer, the run must
+/// violate the property with the values of the constants at this point. The command has already replayed each run on
+/// the charts of its point.
 void compare_run(const Tuning::Row& row, std::size_t point, const Read& at, Seen& seen) {
     const auto found = row.runs.find(point);
     if (found == row.runs.end()) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compares the probes of all engines for vacuity of observed properties with reachability in the graph of the loop
-// without observer, by the definition of docs/reference/properties.md.
+// Compares the vacuity checks of all engines, for properties with observers, with a search of the graph of the loop
+// without the observer. The search implements the definition of docs/reference/properties.md.
 #include "check/vacuity.hpp"
 
 #include <gtest/gtest.h>

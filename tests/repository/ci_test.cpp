@@ -153,8 +153,8 @@ TEST(Ci, AMisspeltStepOfTheActionIsAnError) {
     }
 }
 
-/// Returns the lines of a log that GitHub would interpret: those that begin with `::`, or contain `##[`, unless
-/// commands are stopped.
+/// Returns the lines of a log that GitHub would interpret as commands: those that begin with `::`, or contain `##[`,
+/// unless commands are stopped.
 std::vector<std::string> workflow_commands(const std::string& log) {
     std::vector<std::string> obeyed;
     std::istringstream in(log);

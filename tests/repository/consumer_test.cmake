@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Installs BUILD into a separate folder, builds the consumer against it and runs it.
+# Installs the build tree BUILD into a separate folder, builds the consumer project with the installed library, and runs
+# the program.
 set(work "${BUILD}/consumer-test")
 file(REMOVE_RECURSE "${work}")
 function(run)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Checks the examples in the documents against the program. Each `$ ...` line of a console block is run and its output
 // is compared; a line `...` matches any lines. Each grafcet block must be canonical text. For a closed loop in such a
-// block, `check` must find that each property holds, or the block must say `expected violated`. Commands find the
-// grafcet blocks of their page as files, which are named after the last chart, component or loop in the block.
+// block, `check` must find that each property holds, unless the property is declared `expected violated`. Commands find
+// the grafcet blocks of their page as files, which are named after the last chart, component or loop in the block.
 #include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Checks that the keywords of editors, in editors/words.json, equal those of grammars/grafcet.ll. The tests in
-// tests/editors test highlighting with the engines of the editors.
+// tests/editors test highlighting with the syntax engines of the editors.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -65,7 +65,7 @@ std::string expanded(std::string text) {
     return text;
 }
 
-/// Returns a file in which `text` is valid.
+/// Returns a file that contains `text` in a place where the syntax permits it.
 std::string in_place(const std::string& text) {
     if (std::regex_search(text, std::regex("^(//|grafcet|component|closed_loop)"))) return text;
     if (text.starts_with("property")) return "closed_loop l {\n" + text + "\n}";

@@ -50,7 +50,7 @@ function(expect_made)
     endif()
 endfunction()
 function(replace file what with)
-    execute_process(COMMAND "${CMAKE_COMMAND}" -E sleep 0.1)  # time resolution of the file system
+    execute_process(COMMAND "${CMAKE_COMMAND}" -E sleep 0.1)  # longer than the time resolution of file systems
     file(READ "${file}" text)
     string(REPLACE "${what}" "${with}" new "${text}")
     if(new STREQUAL text)
@@ -84,7 +84,7 @@ function(with_cmake generator)
     made_anew("${build}" ${models} ${tests})
     expect_made()
 
-    # A changed include: only the outputs of files that include it are built.
+    # After a change of an included file, only the outputs of the files that include it are built.
     replace("${source}/gate_controller.grafcet" "5s/X2" "4s/X2")
     must_run("${CMAKE_COMMAND}" --build "${build}" -j2)
     made_anew("${build}" ${models} ${tests})
@@ -94,14 +94,15 @@ function(with_cmake generator)
     made_anew("${build}" ${models} ${tests})
     expect_made(models/lamp.xml models/lamp.q models/lamp.smv lamp.grafverif.cmake)
 
-    # A verdict concerns the current files, even without a build; a failing test shows the text of the verdict.
+    # The verdict of a test refers to the current files, even without a build; a failing test shows the text of the
+    # verdict.
     replace("${source}/gate_controller.grafcet" "step 3 { SHUT; }" "step 3 { SHUT; OPEN; }")
     must_fail("gate.one_order" ${ctest})
     expect_output("one_order[^\n]*violated")
     expect_output("opens ")
     replace("${source}/gate_controller.grafcet" "step 3 { SHUT; OPEN; }" "step 3 { SHUT; }")
 
-    # An additional property is an additional test.
+    # An additional property adds a test.
     replace("${source}/lamp.grafcet" "    property dark_at_rest" "    property mine: never X0 && X1;\n    property dark_at_rest")
     must_run("${CMAKE_COMMAND}" --build "${build}" -j2)
     must_run(${ctest})
@@ -143,7 +144,7 @@ foreach(again 1 2)  # a violation persists until it is corrected
 endforeach()
 replace("${source}/gate_controller.grafcet" "step 3 { SHUT; OPEN; }" "step 3 { SHUT; }")
 must_run(${make})
-# A deleted include does not fail the build if it is no longer included.
+# A deleted file does not cause a build failure if no file includes it any more.
 file(READ "${source}/gate_controller.grafcet" text)
 file(REMOVE "${source}/gate_controller.grafcet")
 must_fail("gate_controller.grafcet" ${make})

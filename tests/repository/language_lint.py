@@ -33,7 +33,8 @@ CPP = {".cpp", ".hpp", ".c", ".h"}
 
 
 class Text:
-    """A piece of prose: characters with the line of each, and its area."""
+    """A piece of prose: its characters, the line number of each character, and the area of the lint to which it
+    belongs."""
 
     def __init__(self, area):
         self.area, self.parts, self.starts, self.lines, self.size = area, [], [], [], 0

@@ -175,7 +175,7 @@ public:
     }
 
 private:
-    /// True if the server has processed the current part.
+    /// True if the server has answered all requests of the current part of the dialogue.
     bool is_answered() const {
         switch (part_) {
         case 0: return !open_.contains(1);
@@ -215,7 +215,7 @@ protected:
 constexpr std::int64_t many = std::int64_t{1} << 40;
 const Dialogue::Limit nothing = [] {};
 
-/// Repeats the dialogue and refuses another allocation each time, on the thread of the session or on the receiving
+/// Repeats the dialogue and refuses a different allocation each time, on the thread of the session or on the receiving
 /// thread.
 void refuse_in_turn(bool receives) {
     std::int64_t made = many;

@@ -33,7 +33,7 @@ constexpr bool sanitized = false;
 const std::string tanks = (root / "samples/tanks/tanks.grafcet").string();
 const std::string blinker = (root / "samples/blinker/blinker.grafcet").string();
 
-/// Returns calls of most commands, each of which takes at most some seconds. FOLDER stands for an output folder.
+/// Returns command lines of most commands. Each of them takes at most some seconds. FOLDER stands for an output folder.
 const std::vector<Words>& verbs() {
     static const std::vector<Words> all{
         {"fmt", tanks},
@@ -294,8 +294,8 @@ TEST(Init, TwoConcurrentRunsLeaveOneCompleteProjectAndOverwriteNothing) {
     EXPECT_FALSE(fs::exists(folder.file("press/CMakeLists.txt"))) << "if one file exists, no file is written";
 }
 
-/// Four of the runs of `watch` have unreadable or invalid input, and two others run concurrently on one file. All of
-/// them end on request.
+/// Four processes of `watch` have unreadable or invalid input, and two others run concurrently on one file. All six
+/// processes end on request.
 TEST(Watch, SurvivesUnreadableInputAndLeavesNoProcesses) {
     const Folder folder;
     folder.write("lamp.grafcet",

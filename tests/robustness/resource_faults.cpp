@@ -15,7 +15,7 @@
 
 namespace {
 
-/// Number of allocations until one is refused; negative: none is refused.
+/// Number of allocations of this thread that succeed before one is refused; negative: none is refused.
 thread_local std::int64_t allocations_left = -1;
 thread_local int threads_left = -1;  ///< number of threads that this thread may start; negative: unlimited
 thread_local bool unlimited = false;

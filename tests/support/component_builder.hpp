@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Components built in C++, for tests and generators that need no text.
+// Builds components in C++, for tests and generators that do not use the text language.
 #pragma once
 
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Syntax trees of the parts of a model.
+// Converts the charts, components and closed loops of a model to syntax trees.
 #pragma once
 
 #include "grafverif/ir/closed_loop.hpp"

@@ -106,7 +106,7 @@ bool NaiveTadd::assign(const std::vector<Network::Assignment>& assignments, cons
     });
 }
 
-/// Implements CEP13 equation (10).
+/// Executes an edge according to CEP13, equation (10).
 std::optional<TaddMove> NaiveTadd::fire(Id<Network::Process> id, Id<Network::Edge> edge_id,
                                         const TaddState& state) const {
     const Network::Process& process = network_.processes[id];

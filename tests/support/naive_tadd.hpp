@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The reference semantics of a Network in integer time, taken directly from CEP13 section 2 (equations (9) and (10)).
-// The target invariant of urgent edges is tested after their resets (ETFA12 section 2). The implementation is small and
-// slow: it evaluates terms and tests every edge. Tests compare engines, emitters and library components with it.
+// The reference semantics of a Network in integer time, taken directly from the paper CEP13, section 2, equations (9)
+// and (10) (docs/explanation/method.md). The target invariant of urgent edges is tested after their resets (ETFA12
+// section 2). The implementation is small and slow: it evaluates terms and tests every edge. Tests compare engines,
+// emitters and library components with it.
 #pragma once
 
 #include <cstddef>

@@ -87,7 +87,7 @@ private:
             const bool temporal = token_.size() == 2 && (token_[0] == 'A' || token_[0] == 'E');
             return {"!", {temporal ? unary() : primary()}};
         }
-        if (accept("-")) {  // NuSMV prints -1 for the number and for the operator
+        if (accept("-")) {  // NuSMV prints the number -1 and the negation of 1 identically
             SpecTerm operand = primary();
             if (operand.operands.empty() && std::isdigit(static_cast<unsigned char>(operand.op[0])) != 0)
                 return {"-" + operand.op, {}};

@@ -50,7 +50,7 @@ private:
         return written;
     }
 
-    /// Booleans of one kind share a line with their neighbours, whereas each integer has a separate line.
+    /// Declares successive Boolean variables of one kind on one line, and each integer variable on a separate line.
     void variables(std::vector<tree::ChartItem>& items) {
         const Chart::Variable* last = nullptr;
         for (const Chart::Variable& declared : chart_.variables) {
@@ -75,7 +75,8 @@ private:
 
     // -- conditions ---------------------------------------------------------------------------------------------------
 
-    /// Returns `X2`, with the name of its partial chart if the plain name does not refer to this step.
+    /// Returns the step variable, such as `X2`, with the name of its partial chart if the plain name does not refer to
+    /// this step.
     Id<tree::Expr> step_variable_in(Id<Chart::Step> id, Id<Chart::PartialChart> here) {
         const Chart::Step& step = chart_.steps[id];
         if (step.chart == here || namesakes_.at(step.name) == 1) return trees_.path("X" + step.name);

@@ -47,7 +47,7 @@ public:
     std::string action() {
         in_action_ = true;  // no loops, because a loop around the call may use the same variable
         std::string text = "ACTION act:\n" + statements(1) + statements(2) + "END_ACTION\n";
-        for (std::size_t at = 0; (at = text.find('y', at)) != std::string::npos; ++at)  // temporary variables
+        for (std::size_t at = 0; (at = text.find('y', at)) != std::string::npos; ++at)  // replaces temporary variables
             if (text[at + 1] == '0' || text[at + 1] == '1') text[at] = text[at + 1] == '0' ? 'x' : 'n';
         in_action_ = false;
         has_action_ = true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Generates random networks of several parts that share only time, for randomized tests of compositional checking. Each
 // part has one or two small automata. Some parts cause a timelock, continue forever within one instant, reach a dead
-// end, race, or leave a range.
+// end, have a race of stored actions, or leave the range of a variable.
 #pragma once
 
 #include <string>

@@ -11,11 +11,11 @@ namespace grafverif {
 
 TransitionSystem random_system(Random& random);
 
-/// True if the value of a symbol of main depends only on the state, as properties require, and not on the step.
-/// Definitions of modules with choices may depend on the step.
+/// True if the value of a symbol of the main module depends only on the state, as properties require, and not on the
+/// step. Definitions of modules with choices may depend on the step.
 bool holds_in_states(const TransitionSystem& system, const TransitionSystem::Symbol& symbol);
 
-/// Adds a property of each pattern over the Boolean symbols of main.
+/// Adds a property of each pattern over the Boolean symbols of the main module.
 void ask_more(TransitionSystem& system, Random& random);
 
 }  // namespace grafverif

@@ -62,7 +62,7 @@ private:
         for (std::uint32_t i = 0; i < counts_[7]; ++i) file_.justice.emplace_back(number());
         for (auto& list : file_.justice)
             for (std::uint32_t& each : list) each = literal();
-        if (binary_) in_.get();  // this character ends the line
+        if (binary_) in_.get();  // reads the line end before the binary gates
         for (std::uint32_t i = 0; i < counts_[4]; ++i) gate(2 * (counts_[1] + counts_[2] + i + 1));
         std::string line;
         if (!binary_) std::getline(in_, line);

@@ -24,7 +24,7 @@ struct LoopUnderTest {
 /// composed.
 LoopUnderTest composed_loop(Model model, const ComposeOptions& options = {});
 
-/// Composes the first loop of `text`, which may use components of templates/. Throws like composed_loop.
+/// Composes the first loop of `text`, which may use components of templates/. Throws the exceptions of composed_loop.
 LoopUnderTest read_loop(const std::string& text, const ComposeOptions& options = {});
 
 /// Composes the first loop of samples/PATH.

@@ -15,7 +15,7 @@ namespace {
 
 using System = TransitionSystem;
 
-/// A symbol of a module, which is main or the instance with this index.
+/// A symbol of the main module or, if `instance` is set, of the instance with this index.
 struct Site {
     std::optional<std::size_t> instance = {};
     Id<System::Symbol> symbol = {};
@@ -77,7 +77,7 @@ Evaluator in_state(const System& system, const SystemState& state) {
             }};
 }
 
-/// Calls `visit` for main and then for every instance.
+/// Calls `visit` for the main module and then for every instance.
 template <class Visit>
 void each_module(const System& system, const Visit& visit) {
     visit(std::optional<std::size_t>{}, module_at(system, {}));
@@ -222,8 +222,8 @@ bool offers(const System& system, const SystemState& state, std::optional<std::s
     return true;
 }
 
-/// Returns every permitted combination of choices, with those of main first, as states that contain them. Returns
-/// nothing if more than `limit` combinations would have to be stored.
+/// Returns every permitted combination of choices, with those of the main module first, as states that contain them.
+/// Returns nothing if more than `limit` combinations would have to be stored.
 std::optional<std::vector<SystemState>> offered_choices(const System& system, const SystemState& state,
                                                         std::size_t limit) {
     std::vector<SystemState> found;

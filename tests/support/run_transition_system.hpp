@@ -14,7 +14,8 @@
 namespace grafverif {
 
 struct SystemState {
-    std::vector<std::int64_t> main = {};  ///< indexed by symbol of main; only the entries of state symbols are used
+    /// Indexed by symbol of the main module; only the entries of state symbols are used.
+    std::vector<std::int64_t> main = {};
     std::vector<std::vector<std::int64_t>> instances = {};  ///< indexed by instance and symbol
     auto operator<=>(const SystemState&) const = default;
 };
@@ -41,11 +42,11 @@ bool is_allowed(const TransitionSystem& system, const SystemState& state);
 /// Returns the next state. Requires that the system has neither choices nor invariants.
 SystemState next_state(const TransitionSystem& system, const SystemState& state, const Choose& choose);
 
-/// Returns the value of a term over the symbols of main.
+/// Returns the value of a term over the symbols of the main module.
 std::int64_t value_of(const TransitionSystem& system, const SystemState& state, Id<Expr> term);
 
-/// Returns the value of `START`, or of `station.X_2`, even if main has no symbol for it. Fails the test if the name
-/// does not exist.
+/// Returns the value of `START`, or of `station.X_2`, even if the main module has no symbol for it. Fails the test if
+/// the name does not exist.
 std::int64_t value_of(const TransitionSystem& system, const SystemState& state, std::string_view path);
 
 /// Sets a state symbol, as if `choose` had chosen the value.

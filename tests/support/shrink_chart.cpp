@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rebuilds a chart without one element, or with one condition replaced by one of its operands. If the result still
-// fails, it replaces the chart. This is repeated until a complete round changes nothing.
+// Rebuilds a chart without one element, or with one condition replaced by one of its operands. If the test still fails
+// for the result, the result replaces the chart. The reductions are repeated until a complete round changes nothing.
 #include <array>
 #include <ostream>
 #include <sstream>

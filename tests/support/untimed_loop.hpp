@@ -15,12 +15,13 @@ namespace grafverif {
 /// with the first error if there is no such model. Fails the test if verify finds an error.
 TransitionSystem untimed_loop(const Model& model, const ScheduleOptions& options, Grain grain = Grain::Phased);
 
-/// Converts the first loop of `model` in every approach and under every schedule, in both grains if the schedule is
-/// interleaved, with discrete and with abstract time. Rejected combinations are omitted. Fails the test if verify finds
-/// an error.
+/// Converts the first loop of `model` in every plant approach and under every schedule, in both grains if the schedule
+/// is interleaved, with discrete and with abstract time. Rejected combinations are omitted. Fails the test if verify
+/// finds an error.
 std::vector<TransitionSystem> untimed_models(const Model& model, bool fairness = false);
 
-/// Convert the first loop of `text` and of samples/PATH, which may use components of templates/, like untimed_loop.
+/// Both functions convert a loop in the same way as untimed_loop: the first loop of `text` or of samples/PATH. The
+/// texts may use components of templates/.
 TransitionSystem untimed_text(const std::string& text, const ScheduleOptions& options, Grain grain = Grain::Phased);
 TransitionSystem untimed_sample(const std::string& path, const ScheduleOptions& options, Grain grain = Grain::Phased);
 

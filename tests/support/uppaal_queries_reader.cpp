@@ -85,7 +85,7 @@ bool QueryReader::read_exactly_one(Cursor& cursor, Property& property) {
         property.pattern = Pattern::ExactlyOneOf;
         if (cursor.number() == 1 && cursor.at_end() && is_boolean(property.operands[0])) return true;
     } catch (const std::runtime_error&) {
-        // the query has another pattern
+        // The text is not a sum of terms, so the query has another pattern.
     }
     property.operands.clear();
     cursor.back_to(start);

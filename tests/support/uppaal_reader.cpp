@@ -48,7 +48,7 @@ Id<T> find(const std::unordered_map<std::string, Id<T>>& map, const std::string&
     return found->second;
 }
 
-/// The description of a controller in the header, which gives its process and variables by name.
+/// A line in the header of the project, which names the process and the variables of a controller.
 struct ControllerLine {
     std::string name = {}, process = {}, waiting = {}, stable = {};
     ExecutionMode mode = ExecutionMode::StabilitySearch;
@@ -366,7 +366,7 @@ private:
         while (!cursor.accept("system")) {
             if (cursor.peek().kind == Token::Kind::Comment) {
                 const std::string heading = cursor.take().text;
-                if (heading.find(" = ") != std::string::npos) continue;  // durations of the process before
+                if (heading.find(" = ") != std::string::npos) continue;  // durations of the preceding process
                 const std::size_t of = heading.find(" of ");
                 owner = of == std::string::npos ? "" : heading.substr(of + 4);
                 kind = kinds.at(heading.substr(0, of));

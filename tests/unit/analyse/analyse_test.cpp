@@ -369,7 +369,7 @@ TEST(Analyse, AnAcceptedFindingIsNotOpen) {
         found.notes, [](const std::string& note) { return note == "no finding matches `accept total-instability`"; }));
 }
 
-// An acceptance without subject in a chart of which `H` is an instance has the subject `H.`.
+// If `H` is an instance of a chart, a declaration `accept` without subject in this chart gets the subject `H.`.
 TEST(Analyse, AnAcceptanceOfAnInstanceConcernsOnlyTheInstance) {
     const std::string_view text =
         "input a; partial H { initial step 0; step 1; transition 0 -> 1 when a && !a; transition 1 -> 0 when a; }"
@@ -551,8 +551,8 @@ TEST(Analyse, EventsExcludedByAnAbortedRunAreNotTransferredFromParts) {
 }
 
 TEST(Analyse, RunsOfPartsWithoutPossibleTimesAreNotRunsOfTheChart) {
-    // After a rising edge of `a`, the chart is never stable, because of part g. In the shortest run of the other part,
-    // a timer expires too late.
+    // After a rising edge of `a`, the chart is never stable, because of part g. The shortest run of the other part is
+    // not possible for any choice of times: a timer would have to expire earlier.
     const Analysis found = analysed(R"(
         input a;
         output o;

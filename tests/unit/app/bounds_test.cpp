@@ -116,7 +116,7 @@ std::string ring(std::size_t steps) {
            std::to_string(steps - 1) + ";\n}\n";
 }
 
-/// Returns the same chart as a Sequential Function Chart.
+/// Returns a ring of steps as a Sequential Function Chart.
 std::string sequence(std::size_t steps) {
     std::string text =
         "PROGRAM p\nVAR_INPUT\n a : BOOL;\nEND_VAR\nVAR_OUTPUT\n O : BOOL;\nEND_VAR\nINITIAL_STEP S0:\n "

@@ -297,7 +297,7 @@ TEST(Certify, RejectsMalformedFilesWithAMessage) {
     EXPECT_EQ(certify(folder.file("missing")).code, 2);
 }
 
-/// A longer delay than the run can contain, and a folder that contains itself, end with a message.
+/// An extremely long delay and a folder that contains itself cause an error message, not an endless check.
 TEST(Certify, BoundsItsWork) {
     const Folder folder;
     const Certified waits = certify(write_certificate(folder, lamp, "holds lit\ndelay 4611686018427387904\nend\n"));
@@ -311,7 +311,7 @@ TEST(Certify, BoundsItsWork) {
               "error: certificate.txt:2: the network of the folder `again` must have only the property `again`\n");
 }
 
-/// 500,000 states in the order that is worst for a repeated search of predecessors.
+/// The certificate has 500,000 states, in the worst order for a repeated search for predecessors.
 TEST(Certify, ChecksLongPathsInLinearTime) {
     const Folder folder;
     const std::string network =

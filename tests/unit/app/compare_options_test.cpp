@@ -41,7 +41,8 @@ TEST(CompareOptions, TheOutputsForStopsCanHaveDifferentNames) {
     const Result other = compared(halting, with(failing, "off AND on", "on"), {"--stop-output", "Halt=Error"});
     EXPECT_EQ(other.code, ExitCode::Verdict) << other.out << other.err;
     EXPECT_NE(other.out.find("in the last scan, `b` stops and the other continues\n"), std::string::npos) << other.out;
-    // The name of the output for stops of one program does not apply to the other program.
+    // `Halt=Error` names the output that reports a stop in each program; an output of the other program is not
+    // accepted.
     const std::string both = with(halting, "L, Halt", "L, Error, Halt");
     const Result left = compared(both, failing, {"--stop-output", "Halt=Error"});
     EXPECT_EQ(left.code, ExitCode::Input) << left.out;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The command `edit`, and its file: requests of a page, changes of other programs, and the recovery file.
+// Tests the command `edit`: requests of the page, changes of the file by other programs, and the recovery file.
 #include <gtest/gtest.h>
 
 #include <algorithm>

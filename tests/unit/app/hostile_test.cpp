@@ -88,8 +88,8 @@ Result on_a_terminal(const std::vector<std::string>& arguments, const std::strin
     return {code, out.str(), err.str()};
 }
 
-/// Checks that the command does not fail internally and prints no control sequences. Checks the same for a report that
-/// is written into a pipe.
+/// Checks that the command does not end with an internal error and prints no control sequences. Checks the same for a
+/// report that is written into a pipe.
 void expect_clean(const std::vector<std::string>& arguments, const std::string& input = "", bool report = true) {
     std::string command_line;
     for (const std::string& argument : arguments) command_line += argument + " ";

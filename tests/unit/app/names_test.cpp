@@ -177,7 +177,7 @@ TEST(Names, TraceNamesAreValidInPropertiesAndScripts) { can_be_named(names_of_tr
 TEST(Names, UntimedTraceHasTheNamesOfTheTimedTrace) {
     Names timed = names_of_trace({});
     const Names untimed = names_of_trace({"--untimed", "--plant", "automata"});
-    timed.values.erase("A.idle");  // the only location of A, which this model does not represent
+    timed.values.erase("A.idle");  // A has only this location, which untimed traces omit
     EXPECT_EQ(timed.values, untimed.values);
     EXPECT_EQ(timed.steps, untimed.steps);
     EXPECT_TRUE(timed.values.contains("Gate.H") && timed.values.contains("upper.N") &&

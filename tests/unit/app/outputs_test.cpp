@@ -418,7 +418,7 @@ TEST(StandardInput, IsReadOnce) {
     EXPECT_EQ(grafverif({"simulate", file, "--script", "-"}, "wait 1s\n").code, ExitCode::Done);
 }
 
-/// A report of an earlier run is removed before a check, but other pages belong to the user.
+/// A check first removes the report of an earlier run, but it must not remove other HTML files of the user.
 TEST(ReportFiles, OtherHtmlPagesRemainIfTheCommandFails) {
     const Folder folder;
     const std::string file = folder.write("bad.grafcet", "grafcet");
@@ -483,7 +483,7 @@ TEST(StandardOutput, ReceivesTheDocumentOfEveryFileOptionOrTheOptionIsRejected) 
             result.err.find("which `-` is not") != std::string::npos ||
             result.err.find("cannot both be written to standard output") != std::string::npos ||
             result.err.find("[nothing-to-import]") != std::string::npos ||
-            (option == "properties" && result.err.find("[unexpected]") != std::string::npos);  // FILE is a chart
+            (option == "properties" && result.err.find("[unexpected]") != std::string::npos);  // not a property file
         EXPECT_EQ(result.code == ExitCode::Input, refused) << result.err;
         if (refused) return;
         ++documents;
@@ -541,7 +541,7 @@ TEST(StandardOutput, ContainsOnlyTheReportAndMessagesGoToStandardError) {
     }
 }
 
-/// The reader of messages may close its end early, as in `grafverif check ... | head -1`.
+/// The reader of the standard output may close the pipe early, as in `grafverif check ... | head -1`.
 TEST(Reports, AreCompleteIfTheReaderOfStandardOutputIsGone) {
     const Folder folder;
     folder.write("one.grafcet", violated);

@@ -70,7 +70,7 @@ TEST(PowerOnState, EveryModelHasTheStateInWhichOutputsAreStillFalse) {
             SCOPED_TRACE(mode + (" " + word_list(model)));
             const Result result = grafverif(Words{"check", file, "--mode", mode, "--format", "json"} + model);
             EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
-            // The sequenced model contains no state before the controllers have finished.
+            // The sequenced model contains no state before the controllers have completed their first cycle.
             if (model == models().back()) continue;
             const nlohmann::json found = verdicts(result);
             EXPECT_EQ(found["p"], "violated");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tests the remedies that `check` prints for an unfinished check: a check with the options of a remedy gives the
-// verdicts that are printed for it.
+// verdicts that are printed for this remedy.
 #include <gtest/gtest.h>
 
 #include <algorithm>

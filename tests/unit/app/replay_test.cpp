@@ -68,8 +68,8 @@ TEST(Replay, RejectsAWrongIntegerAndAMissingTimerExpiry) {
 
 TEST(Replay, FollowsBothOrdersOfAnInputAndATimeWithinTheJitter) {
     const std::string start = head + "1,1,,1,,4\n1.5,0,,,,\n";
-    EXPECT_TRUE(conforms(replayed(start + "3.99,,1,0,,\n9,,,,,\n")));               // STOP first: step 1
-    EXPECT_TRUE(conforms(replayed(start + "3.99,,1,0,1,\n4.02,,,,0,\n9,,,,,\n")));  // the time first: step 3
+    EXPECT_TRUE(conforms(replayed(start + "3.99,,1,0,,\n9,,,,,\n")));               // STOP before the 3 s: step 1
+    EXPECT_TRUE(conforms(replayed(start + "3.99,,1,0,1,\n4.02,,,,0,\n9,,,,,\n")));  // STOP after the 3 s: step 3
     EXPECT_EQ(replayed(start + "3.9,,1,0,1,\n4.02,,,,0,\n9,,,,,\n").code, ExitCode::Verdict);
     EXPECT_EQ(replayed(start + "3.99,,1,0,1,\n3.991,,,,0,\n9,,,,,\n", {"--jitter", "0ms"}).code, ExitCode::Verdict);
 }
@@ -168,7 +168,7 @@ TEST(Replay, StatesTheLengthOfTheInconclusivePart) {
                                   "the recording are inconclusive\n"),
               std::string::npos)
         << conforming.out;
-    // The same deviation is found as soon as the samples cover four times the jitter after it.
+    // A deviation is found as soon as the samples extend over four times the jitter after the deviation.
     EXPECT_TRUE(conforms(replayed(head + "1,1,,,,\n1.08,,,,,\n")));
     EXPECT_TRUE(
         deviates(replayed(head + "1,1,,,,\n1.080001,,,,,\n"), "`PUMP` is 0, but the chart sets it to 1 at 1 s"));
@@ -239,7 +239,7 @@ TEST(Replay, FindsTheOffsetOfAClock) {
     EXPECT_TRUE(deviates(replayed(skewed), "`PUMP` is 0, but the chart sets it to 1 at 1 s"));
     const Result found = replayed(skewed, {"--skew", "PUMP,HORN,LEVEL=500ms"});
     EXPECT_TRUE(conforms(found));
-    // Each of the changes is recorded at most 40 ms before or after the change of the input and the offset.
+    // Each change of an output is recorded at most 40 ms before or after the time of the input change plus the offset.
     EXPECT_NE(found.out.find("  clock offset of `PUMP`, `HORN`, `LEVEL`: 0.272 s to 0.33 s (--skew 500 ms)\n"),
               std::string::npos)
         << found.out;
@@ -396,7 +396,7 @@ TEST(Replay, WritesAReportWithTheRun) {
     EXPECT_EQ(run["rows"][1]["cleared"], "t1");
     EXPECT_NE(run["end"].get<std::string>().find("log.csv:5: `PUMP` changes to 0"), std::string::npos);
     EXPECT_EQ(json(late)["charts"][0]["name"], "pump");
-    // The run of a recording that conforms has all instants, also if there are more than `replay` prints.
+    // The run of a recording that conforms contains all instants, even if `replay` does not print all of them.
     std::string log = head;
     for (int k = 1; k <= 40; ++k) {
         const std::string second = std::to_string(10 * k);

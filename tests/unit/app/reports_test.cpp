@@ -274,7 +274,7 @@ TEST(List, NamesTheAvailableChecks) {
     alone.erase(alone.find("closed_loop"));
     EXPECT_EQ(grafverif({"check", folder.write("alone.grafcet", alone), "--list"}).out,
               folder.file("alone.grafcet") + "\tcl\n");
-    // Each line is a separate check.
+    // Each line of the list describes a property that can be checked separately.
     for (const Json& line : objects_in(grafverif({"check", file, "--list", "--json-lines"}).out)) {
         const Result one =
             grafverif({"check", line["file"], "--loop", line["model"], "--property", line["property"], "--json-lines"});

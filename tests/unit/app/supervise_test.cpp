@@ -88,7 +88,7 @@ TEST(Supervise, ConditionsExcludeSomething) {
     const Result made = grafverif({"supervise", folder.write("heater.grafcet", heater)});
     ASSERT_EQ(made.code, ExitCode::Done) << made.out << made.err;
     EXPECT_TRUE(says(made.out, "output o1 in X1  && false, so this action never sets the output\n")) << made.out;
-    EXPECT_FALSE(says(made.out, "output o1 in X0")) << made.out;  // its action never sets o1
+    EXPECT_FALSE(says(made.out, "output o1 in X0")) << made.out;  // b is never true, so step 0 never sets o1
     const Result possible =
         grafverif({"supervise", folder.write("other.grafcet", changed(heater, "o1 if a && b", "o1 if a && !b"))});
     ASSERT_EQ(possible.code, ExitCode::Done) << possible.out << possible.err;

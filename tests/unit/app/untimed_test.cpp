@@ -70,7 +70,7 @@ TEST(CheckUntimed, TimesThatPropertiesReadAreFreeWithoutAPlant) {
         EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
         EXPECT_NE(result.out.find("over: violated"), std::string::npos) << result.out;
         EXPECT_NE(result.out.find("late: violated"), std::string::npos)
-            << result.out;  // the times are free and independent
+            << result.out;  // both delays are arbitrary and independent
         EXPECT_EQ(result.out.find("apart: violated"), std::string::npos) << result.out;
     }
     const Result timed = grafverif({"check", file});
@@ -98,8 +98,8 @@ TEST(CheckUntimed, TracesNameTheInputsThatTimersWatch) {
     }
 }
 
-/// True if `out` states `carries` for the verdict on `property`. The statement is at the beginning if it applies to all
-/// properties, or belongs to the group that names the property.
+/// True if `out` contains the statement `carries` about other models for the verdict on `property`. The statement is at
+/// the beginning if it applies to all properties, or belongs to the group that names the property.
 bool says_of(const std::string& property, const std::string& carries, const std::string& out) {
     std::string head = out.substr(0, out.find("\n\n")) + '\n';
     for (std::size_t at = 0; (at = head.find("\n        ")) != std::string::npos;) head.replace(at, 9, " ");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests the guarantees of a space about memory, time, depth, and independence of other spaces.
+// Tests the guarantees of a BDD space about memory, time, depth, and independence of other spaces.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -24,8 +24,8 @@ Bdd neighbours(const BddSpace& space, std::uint32_t pairs) {
     return result;
 }
 
-/// Renames the variables so that those of a pair are no longer neighbours. This one operation creates more than 2^n
-/// nodes for n pairs.
+/// Renames the variables so that the variables of a pair are no longer neighbours. This single operation creates more
+/// than 2^n nodes for n pairs.
 struct TakenApart {
     explicit TakenApart(std::uint32_t pairs) : renaming(moves(pairs)) {}
 

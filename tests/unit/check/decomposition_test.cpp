@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tests compositional checking: dependences between processes, the subsystems that each verdict omits, and the other
-// subsystems that make a search of the complete network necessary.
+// Tests compositional checking: dependences between processes, the subsystems that are omitted for each verdict, and
+// the subsystems that cannot be omitted, so that the complete network is searched.
 #include "check/decomposition/decomposition.hpp"
 
 #include <gtest/gtest.h>

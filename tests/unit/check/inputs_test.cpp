@@ -115,8 +115,8 @@ TEST(InputAbstraction, FollowsTheViolationOfAStationInTheFirstRound) {
     EXPECT_TRUE(replay(loop, *result.verdicts.front().run));
 }
 
-/// The gap of the button is rounded from 300 ms to one unit of 2 s, the stroke of the cylinder. Each run with the
-/// longer unit is a run of the loop.
+/// The search rounds the minimum time between two changes of the button, 300 ms, to one unit of 2 s, the duration of
+/// the stroke of the cylinder. Each run with the longer unit is a run of the loop.
 TEST(InputAbstraction, RunsInALongerTimeUnitAreRunsOfTheLoop) {
     const Network loop = expand(
         read_loop("grafcet c { input A, AT_BACK, AT_FRONT; output G_OUT; initial step 0; step 1 { G_OUT; } step 2;\n"
@@ -221,7 +221,7 @@ TEST(InputAbstraction, FollowsAViolationOnTheCompleteLoop) {
     EXPECT_TRUE(found.run);
 }
 
-/// One sampling in step 1 requires J, so that the cylinder moves, and a later one requires B. All other samplings
+/// One sampling in step 1 requires J, so that the cylinder moves, and a later sampling requires B. All other samplings
 /// permit both values.
 TEST(InputAbstraction, FollowsARunWithSeveralRequirementsInOneStage) {
     const Verdict found =
@@ -503,8 +503,8 @@ TEST(InputAbstraction, ProvesNoAbsenceOfTimelockIfAnEvolutionMayNotEnd) {
         << "the test would not detect that the premise is violated";
 }
 
-/// Returns a loop with a plant of two clocks. In `both`, the bound that is reached first decides the next location;
-/// this is always the bound of t.
+/// Returns a loop with a plant of two clocks. In the location `both`, the bound that is reached first decides the next
+/// location; this is always the bound of t.
 std::string race_of_bounds(const std::string& property) {
     return "component two(input P; output S, F) { clock t, u; initial location off; location one invariant u <= 1s && "
            "t <= 2s; location both invariant u <= 2s && t <= 2s; location good; location bad; "
@@ -583,7 +583,7 @@ TEST(InputAbstraction, ProvesNoAbsenceOfDeadlockWithoutALivelyInstance) {
     EXPECT_EQ(decided(once("no deadlock")).outcome, Outcome::Unknown);
 }
 
-/// Declares the free inputs I1..In.
+/// Returns a loop with the free inputs I1..In.
 std::string free_inputs(int count, const std::function<std::string(const std::string&)>& term) {
     std::string names, panel, condition;
     for (int i = 1; i <= count; ++i) {

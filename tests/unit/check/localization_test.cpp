@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests fragments of a line, hand-written abstractions, and results of searches by localization.
+// Tests localization: the fragments of a network, hand-written abstractions, and the results of searches.
 #include "check/localization/localization.hpp"
 
 #include <gtest/gtest.h>

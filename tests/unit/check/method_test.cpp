@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tests the claims of CEP13 and ETFA12 about the method. Each claim is false if the corresponding correction is removed
-// from the method.
+// Tests the claims of the papers CEP13 and ETFA12 (docs/explanation/method.md) about the method. Each claim is false if
+// the corresponding correction is removed from the method.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ Network sample(const std::string& path, const Ablations& ablations = {}, std::op
 }
 
 TEST(Urgency, ASensorOfTheTestingStationIsNeverLate) {
-    const auto late = [](Network network) {  // Fig. 12b: H = 4 while H_IN is still true
+    const auto late = [](Network network) {  // CEP13 Fig. 12b: H = 4 while H_IN is still true
         const Id<Expr> four = network.exprs.apply(Op::Equal, is(network, "H"), network.exprs.integer(4));
         add_property(network, "late", Pattern::Reachable, {network.exprs.conjunction(four, is(network, "H_IN"))});
         return outcome_text(checked(network), "late");
@@ -59,7 +59,7 @@ TEST(Flags, WithoutThemTimeNeverPassesAndUppaalSeesNoDeadlock) {
 }
 
 TEST(Stable, PressInAQuiescentStateAlwaysHasAnEffect) {
-    const auto answered = [](Network network) {  // Fig. 26 and 27: START is pressed during step 23
+    const auto answered = [](Network network) {  // CEP13 Fig. 26 and 27: START is pressed during step 23
         const Id<Expr> pressed = network.exprs.conjunction(is(network, "X_0"), is(network, "START"));
         const Id<Expr> released = network.exprs.negation(pressed);
         add_property(network, "answered", Pattern::LeadsTo, {pressed, released});

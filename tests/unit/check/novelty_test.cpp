@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compares the search for runs in rare situations with a breadth-first search of the same number of states.
+// Compares the novelty search, which prefers states in rare situations, with a breadth-first search of the same number
+// of states.
 #include "check/inputs/novelty.hpp"
 
 #include <gtest/gtest.h>

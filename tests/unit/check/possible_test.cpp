@@ -126,8 +126,8 @@ TEST(PossibleProof, FailsIfAStepIsLeftForGood) {
     EXPECT_EQ(proof.proves(network.properties[Id<Property>{1}], {}), true);
 }
 
-/// Returns a loop with a plant of two clocks. In `both`, the bound that is reached first decides the next location;
-/// this is always the bound of t, so S never becomes true.
+/// Returns a loop with a plant of two clocks. In the location `both`, the bound that is reached first decides the next
+/// location; this is always the bound of t, so S never becomes true.
 std::string race(const std::string& property) {
     return "component two(input P; output S, F) { clock t, u; initial location off; location one invariant t <= 2s; "
            "location both invariant u <= 2s && t <= 2s; location good; location bad; "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests the engine on the samples: the published verdicts and the resource limits.
+// Tests the timed engine on the samples: the published verdicts and the resource limits.
 #include <gtest/gtest.h>
 
 #include "support/read_loop.hpp"

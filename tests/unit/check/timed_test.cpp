@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests one small network for each kind of property, and for each reason for an unknown verdict.
+// Tests the timed engine on a small network for each kind of property, and for each reason for an unknown verdict.
 #include "check/timed/timed.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tests the structure that compose builds: CEP13 Fig. 33a and Fig. 33b with corrections, the procedures, and the flags.
+// Tests the structure of the networks that compose builds: the automata of CEP13, Fig. 33a and 33b, with corrections,
+// the procedures, and the flags.
 #include <gtest/gtest.h>
 
 #include "hand_chart.hpp"

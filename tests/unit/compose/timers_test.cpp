@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tests timers in transient situations with the pulse chart, and shows the behaviour of this chart with the timers as
-// published.
+// Tests timers in transient situations with the pulse chart, and shows the behaviour of this chart with the timers of
+// the published method.
 #include <gtest/gtest.h>
 
 #include "hand_chart.hpp"

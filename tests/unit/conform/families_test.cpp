@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tests scaling families. The expected counts are those of an implementation of the published method.
+// Tests location automata and test sequences of scalable families of charts (bench/families.hpp). The expected counts
+// are those of an implementation of the published method.
 #include "families.hpp"
 
 #include "unit/conform/conforming.hpp"

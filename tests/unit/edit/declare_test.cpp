@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Operations that declare variables, partial charts, macro-steps and enclosing steps; proposals of names.
+// Tests operations that declare variables, partial charts, macro-steps and enclosing steps, and the names that they
+// propose.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each operation: the text before it, and the text after it or the reason for its rejection.
+// Tests each edit operation: the text before it, and the text after it or the reason for its rejection.
 #include <gtest/gtest.h>
 
 #include "editing.hpp"

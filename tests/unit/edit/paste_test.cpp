@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Copy and paste of steps with their transitions.
+// Tests copy and paste of steps with their transitions.
 #include <gtest/gtest.h>
 
 #include "editing.hpp"

@@ -26,7 +26,7 @@ Report report_of(const std::string& chart, const std::string& properties, Grain 
     return report.value_or(Report{});
 }
 
-/// Returns the report on the untimed model of the same loop; by default, its inputs are free.
+/// Returns the report on the untimed model of the loop of report_of; by default, the inputs of the model are free.
 Report untimed_report_of(const std::string& chart, const std::string& properties,
                          PlantApproach plant = PlantApproach::None) {
     ParseResult reading = read_string(
@@ -325,7 +325,7 @@ TEST(Explain, FreeInputChangesOfTheShortestChangeAreNamedOneByOne) {
         std::string::npos)
         << text;
     EXPECT_NE(json_of(report).find(R"("left_out_values": [)"), std::string::npos);
-    // A timer expiry is shown once it has occurred.
+    // The omitted change is the expiry of a timer.
     const ChartRun& late = answer(report, "short").trace.value();
     ASSERT_EQ(late.counterfactual_values.size(), 1U);
     EXPECT_TRUE(late.counterfactual_values[0].timer.valid());
@@ -373,7 +373,7 @@ TEST(Explain, TimerExpiryIsACauseInTheNotationOfConditions) {
         EXPECT_EQ(run.timers[time->timer].rise_ms, 3000);
         EXPECT_NE(text_of(report).find("3s/X1"), std::string::npos);
         EXPECT_NE(json_of(report).find(R"("words": "3s/X1")"), std::string::npos);
-        // The time of a longer term has no name, so that the causes are not exact.
+        // The time condition on `a || X0` has no name, so the causes are not exact.
         EXPECT_FALSE(answer(report, "longer").trace.value().causes_exact);
     }
 }
@@ -521,7 +521,7 @@ closed_loop requested {
     const auto report = check(*reading.model, {0}, {}, {}, reading.diagnostics);
     const ProofExplanation why = why_it_holds(*reading.model, {0}, {}, {}, report.value());
     ASSERT_EQ(why.grounds.size(), 2U);
-    // Without edge `here -> here` the chart never stabilizes.
+    // Without the edge `here -> here`, the chart never becomes stable.
     EXPECT_EQ(needing(why, "full"), "term a of t0; edge here -> here of Low; ");
     EXPECT_EQ(needing(why, "filled"), "guard here -> here of Low; ");
 }

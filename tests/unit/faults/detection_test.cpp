@@ -15,7 +15,7 @@
 namespace grafverif {
 namespace {
 
-/// A gate that opens when REMOTE is pressed. The step 3 reports a gate that does not open within WATCH.
+/// A gate that opens when REMOTE is pressed. Step 3 reports a gate that does not open within WATCH.
 std::string driveway(const std::string& more, const std::string& watch = "8s") {
     return fmt::format(R"(
 grafcet gate_control {{
@@ -106,7 +106,7 @@ Analysed analysed(const std::string& text, FaultsRequest request = {}) {
     return made;
 }
 
-/// Decides by the observer of the property language if WARNING follows the fault within `within_ms`.
+/// Decides with the observer of a property whether WARNING always follows the fault within `within_ms`.
 Outcome warned_within(const ParseResult& read, std::uint32_t fault, std::int64_t within_ms) {
     const Id<ClosedLoop> loop = *find_loop(*read.model, "driveway");
     const Model model = with_faults(*read.model, loop, {{.fault = {fault}, .announced = true}});
@@ -169,7 +169,8 @@ TEST(FaultDetection, ProposesAPropertyThatRevealsAHiddenFault) {
     EXPECT_TRUE(std::ranges::any_of(row->minimal, [](const auto& cut) { return cut.faults == FaultSet{2}; }));
 }
 
-/// With BLOCKED, the gate is never opened. Only the fault makes BLOCKED true; a second literal would be superfluous.
+/// While BLOCKED is true, the gate is not opened. Only the fault makes BLOCKED true, so a second literal in the
+/// proposed property would be superfluous.
 TEST(FaultDetection, ProposesOneLiteralIfItIsTrueOnlyWithTheFault) {
     std::string text = driveway(
         "    plant Guard = unused(OUT = BLOCKED);\n    fault Guard_1 of Guard: stuck(VALUE = true);\n"

@@ -10,8 +10,8 @@
 namespace grafverif {
 namespace {
 
-/// A violated property, an open property with combinations that may not be minimal, and one that is violated without
-/// faults.
+/// Returns results with a property whose combination of faults may not be minimal, a property that is violated without
+/// faults, and two undeclared properties.
 FaultAnalysis analysis() {
     FaultAnalysis made;
     made.model = "station";

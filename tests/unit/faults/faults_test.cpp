@@ -144,7 +144,8 @@ TEST(Faults, OutputsKeepTheirValuesUnlessTheInitialLocationAssignsThem) {
     EXPECT_EQ(found.minimal("from_0"), Names{"blocked"});
 }
 
-// With the button held from power-on, no edge of START occurs: X1 is not reachable. If it is first released, it is.
+// If the button is held from power-on, no edge of START occurs, and X1 is not reachable. If the button is first
+// released, X1 is reachable.
 TEST(Faults, ReachabilityIsCheckedWithTheFaultFromPowerOn) {
     const Analysed found =
         analysed(loop_with("    fault held of Start: held();\n", "    property works: reachable X1;\n"), {});
@@ -193,7 +194,7 @@ TEST(Faults, ADeadlockBelongsToTheFaultsThatHaveOccurred) {
 }
 
 // A button that is held stops the loop in X0. The sensors can still begin to chatter, and then the loop never stops.
-// However, in the run of `held` alone they never do.
+// However, in the run with the fault `held` alone, the sensors never chatter.
 TEST(Faults, AFaultThatNeverOccursCannotEndADeadlock) {
     const std::string chatter =
         "component chatter(output AT_TOP, AT_BOTTOM) {\n    clock t;\n\n    initial location chatter;\n\n"
@@ -316,8 +317,9 @@ TEST(Faults, UnknownVerdictsAreReportedAtALimit) {
     EXPECT_EQ(found.analysis.checks, 1u);
 }
 
-// With two faults, the loop is expected to have more states than the first search may explore. The search of the complete
-// loop, which is then made first, reaches the memory limit. The first search decides `q` in the sub-loop of `lamp`.
+// With two faults, the loop is expected to have more states than the limit of the small first search. Therefore, the
+// analysis begins with a search of the complete loop, which reaches the memory limit. Then a small search decides `q`
+// in the independent subsystem of `lamp`.
 TEST(Faults, PropertiesAreDecidedBySmallSearchesIfTheSearchOfTheCompleteLoopFails) {
     std::string text =
         "component chatter(output OUT) {\n    clock t;\n\n    initial location chatter invariant t <= 4s;\n\n"

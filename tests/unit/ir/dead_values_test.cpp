@@ -15,10 +15,10 @@
 namespace grafverif {
 namespace {
 
-/// For each previous value: the variables that the value stored by `evolve` reads.
+/// Maps each previous value to the variables that its assignment in `evolve` reads.
 using Stored = std::map<std::string, std::set<std::string>>;
 
-/// Returns the values that are stored after dead values have been cleared.
+/// Returns the assignments of previous values after dead values have been cleared.
 Stored cleared(const std::string& body, const std::string& rest = "", Grain grain = Grain::Phased) {
     Network network = expand(read_loop("grafcet c { input A, B; output Q; internal M: bool = false; " + body +
                                            " }\nclosed_loop l { controller c; environment EA = push_button(OUT = A); "

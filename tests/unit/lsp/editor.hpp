@@ -24,7 +24,7 @@ inline Marked marked(std::string text) {
 
 class TextEditor {
 public:
-    /// Writes `files`, names with their texts, into the folder of the workspace.
+    /// Writes `files`, which are pairs of a name and a text, into the folder of the workspace.
     explicit TextEditor(const std::vector<std::pair<std::string, std::string>>& files) {
         for (const auto& [name, text] : files) folder.write(name, text);
         client.begin({{"textDocument", {{"completion", {{"completionItem", {{"snippetSupport", true}}}}}}}},

@@ -14,7 +14,7 @@
 namespace grafverif {
 namespace {
 
-/// Returns the hash in hexadecimal, computed by an independent program.
+/// Returns the SHA-256 hash in hexadecimal, computed by an independent program.
 std::string sha256(const std::string& text) {
     const auto file = std::filesystem::temp_directory_path() / ("grafverif-page-" + std::to_string(::getpid()));
     std::ofstream(file, std::ios::binary) << text;

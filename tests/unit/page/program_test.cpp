@@ -41,7 +41,7 @@ const Data& run_of(const Made& made, const std::string& name) {
     throw std::runtime_error("no run " + name);
 }
 
-/// For each scan of the run: the event, and the value of each point that the scan evaluated.
+/// Returns, for each scan of the run, the index of its event, and the value of each point that the scan evaluated.
 std::vector<std::pair<std::size_t, std::map<std::size_t, Data>>> scans_of(const Data& run) {
     std::vector<std::pair<std::size_t, std::map<std::size_t, Data>>> scans;
     std::map<std::size_t, Data> values;
@@ -65,7 +65,7 @@ std::int64_t signal_after(const Data& run, const std::string& name, std::size_t 
     return value;
 }
 
-/// Returns the points on the line that contains `text`, with this role.
+/// Returns the points with the role `role` on the line that contains `text`.
 std::vector<std::size_t> points_on(const Made& made, const std::string& program, const std::string& text,
                                    const std::string& role) {
     std::vector<std::size_t> found;

@@ -140,7 +140,7 @@ TEST(FaultsPage, OnlyAViolatedReachableHasNoRunThatSatisfiesTheProperty) {
     EXPECT_EQ(count_of(made.page, "no run reaches a state that satisfies the property"), 2U);
 }
 
-// The analysis does not state if the fault of a model error is present from power-on.
+// The analysis does not state whether the fault of a model error is present from power-on.
 TEST(FaultsPage, TheFirstLocationIsUnknownInTheRunOfAModelError) {
     std::string text = lamp;
     text.replace(text.find("closed_loop"), 0,

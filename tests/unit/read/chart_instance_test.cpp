@@ -279,7 +279,7 @@ TEST(ChartInstances, RejectsWrongConstantsOfCharts) {
 }
 
 // `A[COUNT]` and `XS[COUNT]` are declared for the declared value of COUNT only. In an instance with another value, they
-// must not denote a variable or a step around the instance.
+// must not denote a variable or a step outside the instance.
 TEST(ChartInstances, NeverReadVariablesAndStepsAroundThem) {
     const std::string chart =
         "grafcet g(input IN; output OUT; COUNT = 2) {\n"

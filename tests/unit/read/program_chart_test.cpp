@@ -181,7 +181,7 @@ TEST(ProgramChart, ActivationOfAnActiveStepIsAFault) {
         "STEP S2: END_STEP STEP S3: END_STEP\nTRANSITION FROM S0 TO (S1, S2) := a; END_TRANSITION\n"
         "TRANSITION FROM S1 TO S3 := a; END_TRANSITION\nTRANSITION FROM S2 TO S3 := b; END_TRANSITION\n"
         "TRANSITION FROM S3 TO S0 := NOT a; END_TRANSITION\nEND_PROGRAM";
-    EXPECT_EQ(fault(text, {{0, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 1}}), 5U);  // S3 is active
+    EXPECT_EQ(fault(text, {{0, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 1}}), 5U);  // S3 is already active
     EXPECT_EQ(fault(text, {{0, 0}, {1, 0}, {1, 1}}), 3U);                  // two transitions activate S3
     EXPECT_EQ(fault(text, {{0, 0}, {1, 0}, {1, 0}, {0, 0}, {0, 1}}), 0U);
     std::string steps, all, transitions;  // 2^15 situations

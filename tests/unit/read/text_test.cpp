@@ -194,7 +194,7 @@ TEST(ReadErrors, AreReportedTogetherAndOnce) {
         // A chart with a syntax error causes no errors in the loop either.
         {"grafcet g {\n input a\n initial step 0;\n}\nclosed_loop l {\n controller g;\n property p: always X0;\n}\n",
          {"missing-semicolon"}},
-        // The text has both errors in different charts.
+        // A syntax error in one chart does not hide a semantic error in another chart.
         {"grafcet g {\n input a\n initial step 0;\n}\ngrafcet h {\n initial step 0 { O; }\n}\n",
          {"missing-semicolon", "unknown-variable"}},
         // An instance with an error still drives the variables that it binds.

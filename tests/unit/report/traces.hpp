@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A hand-written run, with a report.
+// Provides a hand-written run, and a report that contains it.
 #pragma once
 
 #include "report/report.hpp"

@@ -20,7 +20,7 @@ std::string error_text(const LoopUnderTest& loop, const Run& run) {
     return found ? "move " + std::to_string(found->move) + ", " + found->where + ": " + found->what : "";
 }
 
-/// Returns the options of all four execution modes of a loop.
+/// Returns the options for all four combinations of grain and execution mode.
 std::vector<ComposeOptions> all_options() {
     std::vector<ComposeOptions> options;
     for (const Grain grain : {Grain::Phased, Grain::Atomic})
@@ -93,8 +93,8 @@ TEST(RandomizedReplay, EveryWalkThroughARandomLoopReplays) {
 }
 
 TEST(RandomizedReplay, DelayMayEndInTheInstantInWhichItsTermFalls) {
-    // PART may fall after the inputs were sampled and before the evolution. For LONG, the fall time of an earlier fall
-    // of PART may still be running at the evolution.
+    // PART may become false after the inputs were sampled and before the evolution. The timer of LONG may then still
+    // count the 3 s after an earlier falling edge of PART.
     constexpr const char* text = R"(
         grafcet light {
             input PART;

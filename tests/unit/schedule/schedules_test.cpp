@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tests the three approaches and the three schedules: their common results, and cases in which the results differ.
+// Tests the three plant approaches and the three schedules of untimed models: their common results, and cases in which
+// the results differ.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -117,7 +118,7 @@ TEST(Schedules, ThePlantSequencerHidesTheSituationThatTheSensorHasNotSeenYet) {
     EXPECT_EQ(verdicts(untimed_text(text, with(Schedule::Synchronous)))["unstable"], Outcome::Holds);
 }
 
-/// This test checks WODES06 III.E on the complete machine.
+/// Checks the result of the paper WODES06, section III.E, on the complete machine.
 TEST(PickAndPlace, ShowsTheUnstableSituationWithoutTheSequencer) {
     const SymbolicResult result =
         check_symbolic(untimed_sample("pick_and_place/pick_and_place.grafcet", with(Schedule::Synchronous)));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tests invariants of every component for all inputs, on all reachable states: the discipline of CEP13 4.4.
+// Tests the modelling rules of the paper CEP13, section 4.4, on all reachable states of every component, for all
+// inputs.
 #include <gtest/gtest.h>
 
 #include <algorithm>

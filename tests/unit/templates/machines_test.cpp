@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests the barrier, lift car, burner and fan, and their monitor.
+// Tests the components barrier, lift_car, burner, fan and delayed_signal.
 #include <gtest/gtest.h>
 
 #include "library.hpp"

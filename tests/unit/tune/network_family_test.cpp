@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tests relaxations of networks that differ in the constants of their clock constraints. Each premise of a transfer is
-// broken once: the relaxation satisfies the property, a member violates it, and the premise is false.
+// violated once: the relaxation satisfies the property, a member violates the property, and the premise is false.
 #include "ir/network_family.hpp"
 
 #include <gtest/gtest.h>

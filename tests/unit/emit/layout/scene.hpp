@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The elements on a page, and violations of its layout rules.
+// Represents the elements on a page, and finds violations of the layout rules.
 #pragma once
 
 #include <algorithm>

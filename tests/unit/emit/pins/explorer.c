@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
- * Explores one model by means of the interface alone. Prints `states N`, `label NAME N` with the number of states in
- * which each label is 1, and `fault ...` if the model contradicts its matrices. A group may write only the slots in its
- * row of the write matrix, and its moves may depend only on the slots in its row of the read matrix. */
+ * Explores one model through the LTSmin interface alone. Prints `states N`, `label NAME N` with the number of states in
+ * which each label is 1, and `fault ...` if the model contradicts its dependency matrices. A transition group may write
+ * only the slots in its row of the write matrix. Its moves may depend only on slots in its row of the read matrix. */
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compiles the C files, explores them with a small explorer that uses only the interface, and compares the results with
-// the timed engine.
+// Compiles the C files of `grafverif pins`, explores the models with a small explorer that uses only the LTSmin
+// interface, and compares the results with the timed engine.
 #include "emit/pins/pins.hpp"
 
 #include <gtest/gtest.h>
