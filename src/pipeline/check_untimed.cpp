@@ -99,7 +99,7 @@ void SystemReporter::add(Verdict verdict, std::optional<SystemRun> run) {
     }
     if (!shows_trace || verdict.outcome == Outcome::Unknown) run.reset();
     if (const auto found = run ? untimely(project(check_.system, *run)) : std::nullopt)
-        verdict.notes.push_back(fmt::format("no plant has this run: {}/{} has expired in it, but {}/{} has not",
+        verdict.notes.push_back(fmt::format("no plant permits this run: {}/{} has expired in it, but {}/{} has not",
                                             duration_text(found->longer_ms), found->step.variable(),
                                             duration_text(found->shorter_ms), found->step.variable()));
     std::string preservation = preservation_text(check_, check_.system.properties[verdict.about], verdict, unproven_);

@@ -288,7 +288,7 @@ std::string LoopSimulation::set(const std::vector<Setting>& settings) {
     if (std::string problem = range_text(name, found->type, value); !problem.empty()) return problem;
     const auto index = static_cast<std::size_t>(found - network_.variables.begin());
     const std::string value_text = !found->type.boolean ? std::to_string(value) : value != 0 ? "true" : "false";
-    if (state_.variables[index] == value) return fmt::format("`{}` is {} already", name, value_text);
+    if (state_.variables[index] == value) return fmt::format("`{}` is already {}", name, value_text);
     if (const auto fire = move_to(network_, state_, fires(), index, value)) return choose(*fire);
     const std::string problem = fmt::format("no move can set `{}` to {} now", name, value_text);
     const Leeway delay = leeway(network_, state_);

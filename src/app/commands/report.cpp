@@ -90,8 +90,8 @@ CliCommand report_usage() {
             "their\n"
             "values. With --properties FILE, the report is about a PLC program without a plant, as with `check`.\n"
             "Each step of a trace has an address, such as report.html#P16/23.\n"
-            "The same input gives the same bytes; the report has a date only with --date. The exit codes are those of "
-            "`check`.",
+            "Reports of the same input are byte-identical; a report has a date only with --date. The exit codes are\n"
+            "those of `check`.",
             {"grafverif report samples/testing_station/faulty.grafcet -o report.html",
              "grafverif report station.grafcet --property P15 --date \"$(date -I)\" -o P15.html",
              "grafverif report docs/drive.st --properties docs/drive.yaml -o drive.html"},

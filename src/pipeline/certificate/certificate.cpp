@@ -98,7 +98,7 @@ private:
         const SearchScope& scope = reported.scope;
         if (reported.pattern == Pattern::NoDeadlock && !(scope.searched.empty() && scope.left_out.empty()))
             return "the verdict applies to each subsystem; pass `--monolithic` to certify it for the complete loop";
-        if (certificate::is_too_deep(flat_)) return "a term of the model is too deep";
+        if (certificate::is_too_deep(flat_)) return "a term of the model is nested too deeply";
         if (found.outcome == Outcome::Unknown) return "the complete search does not decide it: " + found.reason;
         if (found.outcome != reported.outcome) {
             certificate_.failures.push_back(

@@ -68,7 +68,8 @@ TEST(Commands, AreReadLineByLine) {
              {"expect N >=",
               BadCommand{"the comparison `N >=` has no valid value; write a whole number, `true` or `false`"}},
              {"expect not N >= 3",
-              BadCommand{"`not` before the comparison `N >=`; remove `not` and use the opposite comparison"}},
+              BadCommand{
+                  "`not` is not allowed before the comparison `N >=`; remove `not` and use the opposite comparison"}},
              {"expect within X3",
               BadCommand{
                   "`expect within` requires a duration and a condition; write for example `expect within 3s X3`"}},
