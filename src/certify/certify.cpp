@@ -243,7 +243,7 @@ std::string check(const std::filesystem::path& folder, const std::string& inner 
             if (by_states && !graph) words.fail("the claim requires `states`");
             if (by_states) graph->check(property);
             else if (!shows(read_run(words, semantics), property, semantics))
-                reject("the run of `" + property.name + "` does not show its verdict");
+                reject("the run of `" + property.name + "` does not prove its verdict");
             result += property.name + ": " + kind + (by_states ? ", proved by the states\n" : ", shown by a run\n");
         } else words.fail("unknown line");
     }

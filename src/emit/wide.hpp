@@ -12,7 +12,7 @@
 namespace grafverif {
 
 /// The reason for omitting a property.
-inline constexpr const char* too_wide = "it may need integers of more than 32 bits";
+inline constexpr const char* too_wide = "the property may need integers of more than 32 bits";
 
 /// Returns, per term of the table, true if it or a subterm may exceed 32 bits. For a network, only terms without
 /// parameters are included.

@@ -93,7 +93,7 @@ void SystemReporter::add(Verdict verdict, std::optional<SystemRun> run) {
     const bool shows_trace = verdict.outcome != Outcome::Holds || options_.witnesses;
     if (run && of_ == Of::Program) {
         if (const auto found = disagreement(project(check_.system, *run), check_.charts))
-            distrust(verdict, replay_failure("its trace", *found));
+            distrust(verdict, replay_failure("the trace", *found));
     } else if (run && shows_trace && !replays(*run, fmt::format("the trace of `{}`", verdict.property))) {
         run.reset();
     }

@@ -106,7 +106,8 @@ private:
                             found.outcome == Outcome::Holds ? "holds" : "is violated", word(reported.outcome)));
             return "the complete search contradicts the verdict";
         }
-        if (found.run && certificate::units_of(*found.run) > certificate::longest_run) return "its run is too long";
+        if (found.run && certificate::units_of(*found.run) > certificate::longest_run)
+            return "the run of the verdict is too long";
         if (!found.run && (!result.complete || !result.errors.empty())) return "the set of states is incomplete";
         return {};
     }

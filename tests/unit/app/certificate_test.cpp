@@ -179,7 +179,7 @@ TEST(Certify, AcceptsAShownRunAndRejectsAFalseClaim) {
     EXPECT_NE(shown.out.find("lit: holds, shown by a run\ndark: not certified: no claim\n"), std::string::npos);
     const Certified not_shown = certify(write_certificate(folder, lamp, "holds lit\ndelay 1\nend\n"));
     EXPECT_EQ(not_shown.code, 1);
-    EXPECT_EQ(not_shown.out, "rejected: the run of `lit` does not show its verdict\n");
+    EXPECT_EQ(not_shown.out, "rejected: the run of `lit` does not prove its verdict\n");
     const std::string states = "0 0 \n";
     folder.write("states.txt", states);
     const Certified open = certify(write_certificate(folder, lamp, "states " + checksum(states) + "\nholds dark\n"));
