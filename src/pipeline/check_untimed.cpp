@@ -99,9 +99,10 @@ void SystemReporter::add(Verdict verdict, std::optional<SystemRun> run) {
     }
     if (!shows_trace || verdict.outcome == Outcome::Unknown) run.reset();
     if (const auto found = run ? untimely(project(check_.system, *run)) : std::nullopt)
-        verdict.notes.push_back(fmt::format("no plant permits this run: {}/{} has expired in it, but {}/{} has not",
-                                            duration_text(found->longer_ms), found->step.variable(),
-                                            duration_text(found->shorter_ms), found->step.variable()));
+        verdict.notes.push_back(
+            fmt::format("no plant permits this run: {}/{} has expired in the run, but {}/{} has not",
+                        duration_text(found->longer_ms), found->step.variable(), duration_text(found->shorter_ms),
+                        found->step.variable()));
     std::string preservation = preservation_text(check_, check_.system.properties[verdict.about], verdict, unproven_);
     PropertyResult answer = result_of(check_.system, std::move(verdict), run, detail(options_));
     answer.preservation = std::move(preservation);

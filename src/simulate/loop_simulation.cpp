@@ -265,7 +265,7 @@ std::string LoopSimulation::wait() {
     if (!delay.may_pass) return waiting_for();
     const std::int64_t units = std::min(delay.limit.value_or(0), delay.change.value_or(0));
     const std::int64_t soonest = units > 0 ? units : std::max(delay.limit.value_or(0), delay.change.value_or(0));
-    if (soonest == 0) return "nothing changes as time passes; give `wait` a duration";
+    if (soonest == 0) return "nothing changes as time passes; write `wait` with a duration";
     return wait(soonest * network_.time_unit_ms);
 }
 

@@ -24,7 +24,7 @@ std::optional<std::vector<ChartRun>> tests_of(const Model& model, const std::vec
         return {};
     }
     if (const Chart& chart = model.charts[charts.front()]; chart.program) {
-        job.diagnostics.add(messages::only_for_charts(chart.origin, chart.name, "`--sequence` gives a test of a chart",
+        job.diagnostics.add(messages::only_for_charts(chart.origin, chart.name, "`--sequence` applies only to charts",
                                                       "omit `--sequence`"));
         return {};
     }
