@@ -247,8 +247,7 @@ std::optional<std::string> Reach::read(const std::string& path, std::string& why
     if (!failure && std::ranges::none_of(roots_, [&](const fs::path& root) { return is_below(file, root); })) {
         why =
             "the file is below neither the folder of the main file nor the folder of its project (which contains "
-            "`.git` or "
-            "`grafverif.project`); allow it with `-I DIR`";
+            "`.git` or `grafverif.project`); allow it with `-I DIR`";
         return {};
     }
     return content_of_file(failure ? *permitted : file, why);

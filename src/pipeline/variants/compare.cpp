@@ -264,8 +264,7 @@ private:
         if (one.outcome != Comparison::Outcome::Different) return one;
         return {Comparison::Outcome::Unknown,
                 "a and b both stop in the first scan for all inputs, so no outputs are compared; `--stop-output` must "
-                "name an "
-                "output that is zero in normal operation",
+                "name an output that is zero in normal operation",
                 {}};
     }
 

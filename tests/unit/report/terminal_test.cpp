@@ -299,8 +299,7 @@ TEST(Terminal, PrintsTheStateProfile) {
                           "    33 % of these states are within a cycle; grain atomic makes each cycle one step and "
                           "keeps at most 20 of them\n"
                           "    with the duration 1.01 s (a.grafcet:7), the time unit is 0.01 s; without this duration, "
-                          "it is 0.1 s (x "
-                          "2.5: with this unit, 2.5 times fewer states would remain)\n"),
+                          "it is 0.1 s (x 2.5: with this unit, 2.5 times fewer states would remain)\n"),
               std::string::npos)
         << output;
 }
