@@ -5,7 +5,7 @@ set(place "${ROOT}${PREFIX}")
 function(says file)
     execute_process(COMMAND "${PROGRAM}" ${ARGN} OUTPUT_FILE "${file}" RESULT_VARIABLE result)
     if(NOT result EQUAL 0)
-        message(FATAL_ERROR "${PROGRAM} ${ARGN} fails")
+        message(FATAL_ERROR "${PROGRAM} ${ARGN} failed; see the error above")
     endif()
 endfunction()
 

@@ -13,7 +13,7 @@ const by = (id) => document.getElementById(id);
 
 // Returns the reason why a chart or program has no drawing.
 function notDrawn(chart) {
-    if (chart.steps === 0) return ["The program contains no Sequential Function Chart, so that it has no drawing."];
+    if (chart.steps === 0) return ["The program contains no Sequential Function Chart, so it has no drawing."];
     return ["The chart has more than 5,000 steps and is not drawn here. Use ", make("code", {}, "grafverif draw"), "."];
 }
 

@@ -618,11 +618,11 @@ class Recording:
         self._report: RecordingReport | None = None
 
     def add(self, time: Duration, values: Mapping[str, bool | int] | None = None, **more: bool | int) -> bool:
-        """Adds a sample. `time` does not decrease; values with the same time are one sample. The first sample contains
-        a value of each recorded variable; later samples contain at least the values that changed. Returns False if the
-        check has ended, because the verdict on each chart is final or, with `stop_early`, after the first deviation or
-        violated property. Further samples are then ignored: the results for properties concern only the samples that
-        were added before."""
+        """Adds a sample. `time` must not decrease. Values with the same time belong to one sample. The first sample
+        contains a value of each recorded variable; later samples contain at least the values that changed. Returns
+        False if the check has ended, because the verdict on each chart is final or, with `stop_early`, after the first
+        deviation or violated property. Further samples are then ignored: the results for properties concern only the
+        samples that were added before."""
         sample = {**(values or {}), **more}
         for name, value in sample.items():
             if not isinstance(value, int):

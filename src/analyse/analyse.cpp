@@ -80,7 +80,7 @@ public:
     void run() {
         for (auto slice = options_.first_slice; questions_.any_open() && continue_searches(slice); slice *= 4)
             if (slice >= most_for_paths * options_.first_slice && questions_.only_traps_open()) {
-                obstacle_ = "the search for traps exceeded its limit of work";
+                obstacle_ = "the search for traps exceeded its work limit";
                 break;
             }
         result_.questions = questions_.all().size();

@@ -86,7 +86,7 @@ bool ChartAnalyzer::report_fault(std::string_view code, const Machine::FaultCond
         demand = {.race = {each.variable.index}};
         message = "two actions can store different values in `" + subject +
                   "` in one evolution; make their conditions exclusive";
-        shows = "both actions run in the last evolution";
+        shows = "both actions are executed in the last evolution";
     } else if (code == "out-of-range") {
         message = "an action can store a value in `" + subject +
                   "` that is outside its range; extend the range or guard the action";

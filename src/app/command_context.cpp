@@ -71,7 +71,7 @@ std::optional<Model> read_model(Id<Source> file, const std::string& path, Comman
     const auto load = [&](const std::string& included, std::string& why) -> std::optional<std::string> {
         if (job.watch != nullptr) job.watch->note(included);
         auto text = reach.read(included, why);
-        if (text && !note_input(included, job)) return why = "it is also an output", std::nullopt;
+        if (text && !note_input(included, job)) return why = "the file is also an output", std::nullopt;
         return text;
     };
     ReadContext context = context_of(reach, job.options.include_folders, job.options.lossy);

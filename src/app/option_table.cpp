@@ -317,7 +317,7 @@ std::vector<Option> options_for_checks() {
                    "explore the complete loop for every property: do not use sub-loops (independent subsystems), cells "
                    "(localization), input abstraction and covering (omission of states that a stored state "
                    "simulates)")),
-        {OptionGroup::Search, "jobs", "N", "number of threads (default: one per core; two at most for untimed models)",
+        {OptionGroup::Search, "jobs", "N", "number of threads (default: one per core, at most two for untimed models)",
          take_jobs},
         number(OptionGroup::Search, "max-states", "N", {}, &Options::max_states,
                "stop after N states (default: 500000000)"),
@@ -331,7 +331,7 @@ std::vector<Option> options_for_checks() {
         text(OptionGroup::Verdicts, "certificate", "DIR", &Options::certificate,
              "write a certificate of the verdicts into DIR (engines timed and pdr; see `grafverif-certify`)"),
         text(OptionGroup::Verdicts, "report", "FILE", &Options::page,
-             "write an HTML report to FILE, as `report` does, with the kind of the certificate of each verdict"),
+             "write an HTML report to FILE, as `report` does, with the type of certificate of each verdict"),
         toggle(OptionGroup::Verdicts, "why", &Options::why,
                "print the elements that each proof depends on (timed engine, and PLC programs with `--properties`)"),
         text(OptionGroup::Search, "junit", "FILE", &Options::junit, "write a JUnit report to FILE"),
@@ -340,7 +340,7 @@ std::vector<Option> options_for_checks() {
         {OptionGroup::Verdicts, "json-lines", "", "print one line of JSON per verdict",
          [](const auto&, Options& options) { return options.format = Format::JsonLines, std::string(); }},
         toggle(OptionGroup::Verdicts, "list", &Options::list,
-               "run no check; list the file, loop and property of each check, separated by tabs"),
+               "list the file, loop and property of each check, separated by tabs, without executing the checks"),
         text(OptionGroup::Sequence, "sequence", "FILE", &Options::sequence,
              "read the test sequence of the chart from the CSV table FILE; without it, `test` generates a sequence"),
         command(OptionGroup::Bench, "against", "PROGRAM", &Options::against,

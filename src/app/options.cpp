@@ -81,7 +81,7 @@ std::string validate_engine(bool modelled, const po::variables_map& values, Opti
         return "`--why` is supported only by the embedded timed engine for closed loops; remove `--why`, or the "
                "options that select another engine or the untimed model";
     if (options.why && (options.format == Format::JsonLines || !options.disabled_corrections.empty()))
-        return "`--why` is supported only in text and `--format json`, without `--ablate`; remove one of these "
+        return "`--why` is supported only for text output and `--format json`, without `--ablate`; remove one of these "
                "options";
     options.check_untimed = options.check_untimed || (!timed && !open);
     return {};

@@ -231,7 +231,7 @@ std::string check(const std::filesystem::path& folder, const std::string& inner 
         if (kind == "states") {
             states = content_of(folder / "states.txt");
             if (graph || words.word() != checksum(states))
-                words.fail("states.txt is damaged, or of another certificate");
+                words.fail("states.txt is damaged or belongs to another certificate");
             graph.emplace(semantics, states);
         } else if (kind == "omitted") {
             const std::string name(words.word());
@@ -248,7 +248,7 @@ std::string check(const std::filesystem::path& folder, const std::string& inner 
             if (by_states && !graph) words.fail("the claim requires `states`");
             if (by_states) graph->check(property);
             else if (!shows(read_run(words, semantics), property, semantics))
-                reject("the run of `" + property.name + "` does not show its verdict");
+                reject("the run of `" + property.name + "` does not prove its verdict");
             result += property.name + ": " + kind + (by_states ? ", proved by the states\n" : ", shown by a run\n");
         } else words.fail("unknown line");
     }
@@ -260,7 +260,10 @@ std::string check(const std::filesystem::path& folder, const std::string& inner 
 }  // namespace certify
 
 int main(int count, char** values) try {
-    if (count != 2) return std::fputs("usage: grafverif-certify FOLDER (of `check --certificate`)\n", stderr), 2;
+    if (count != 2)
+        return std::fputs("usage: grafverif-certify FOLDER (the folder that `check --certificate FOLDER` wrote)\n",
+                          stderr),
+               2;
     return std::fputs(certify::check(values[1]).c_str(), stdout) < 0 ? 2 : 0;
 } catch (const certify::Rejected& rejected) {
     std::fprintf(stderr, "rejected: %s\n", rejected.what());

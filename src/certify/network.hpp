@@ -95,7 +95,7 @@ public:
         Int value = 0;
         const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
         if (failure != std::errc() || end != text.data() + text.size() || value < low || value > high)
-            fail("`" + std::string(text) + "` is not a number, or too large or small");
+            fail("`" + std::string(text) + "` is not a number or is out of range");
         return value;
     }
     /// Reads a word that is an element of `list`, or the member `name` of an element of `list`, and returns the index
@@ -276,7 +276,7 @@ private:
 
     std::size_t add(Term term) {
         for (const std::size_t operand : term.operands) term.depth = std::max(term.depth, terms[operand].depth + 1);
-        if (term.depth > most_depth) words_.fail("a term is too deep");
+        if (term.depth > most_depth) words_.fail("a term is nested too deeply");
         terms.push_back(std::move(term));
         return terms.size() - 1;
     }

@@ -49,7 +49,8 @@ inline Deadline most_of(const Deadline& deadline) {
 inline void report_earlier(Verdict& verdict, std::string_view searches, std::uint64_t states) {
     const bool limited = verdict.obstacle == UnknownReason::Stopped || verdict.obstacle == UnknownReason::Memory;
     if (verdict.outcome != Outcome::Unknown || !limited || states < 2) return;
-    verdict.reason += "; " + std::string(searches) + " explored " + std::to_string(states) + " states before";
+    verdict.reason +=
+        "; " + std::string(searches) + " explored " + std::to_string(states) + " states before this search";
 }
 
 }  // namespace grafverif

@@ -19,7 +19,7 @@ inline std::string unsupported_reason(Pattern pattern) {
     case Pattern::RawUppaal: return "UPPAAL formulas require UPPAAL";
     case Pattern::RawCtl: return "CTL formulas of NuSMV require NuSMV or nuXmv";
     case Pattern::RawLtl: return "LTL formulas of NuSMV require NuSMV or nuXmv";
-    case Pattern::ReachableAllSteps: return "it is checked for each step";
+    case Pattern::ReachableAllSteps: return "each step is checked separately";
     case Pattern::Always:
     case Pattern::Never:
     case Pattern::Reachable:

@@ -241,7 +241,7 @@ private:
         case Pattern::RawUppaal: return omit(id, "UPPAAL formulas require UPPAAL");
         case Pattern::NoDeadlock:
         case Pattern::NoTimelock: return omit(id, "not applicable to an untimed model");
-        case Pattern::ReachableAllSteps: return omit(id, "it is checked for each step");
+        case Pattern::ReachableAllSteps: return omit(id, "each step is checked separately");
         }
         circuit().targets.push_back(std::move(target));
     }
@@ -265,11 +265,11 @@ private:
         const std::string number = std::to_string(circuit().targets.size());
         Gate waits = yes();
         if (from) {
-            const Gate begun = add_latch("begun of question " + number);
-            waits = begun | (add_input("begin of question " + number) & *from);
+            const Gate begun = add_latch("premise observed in query " + number);
+            waits = begun | (add_input("start in query " + number) & *from);
             set_next(begun, waits);
         }
-        const Gate met = add_latch("met in question " + number);
+        const Gate met = add_latch("goal reached in query " + number);
         const Gate met_now = met | (waits & goal);
         set_next(met, met_now);
         std::vector<Literal> justice{(waits & ~met_now & stepping_).literal};

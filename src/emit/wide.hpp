@@ -12,7 +12,7 @@
 namespace grafverif {
 
 /// The reason for omitting a property.
-inline constexpr const char* too_wide = "it may need integers of more than 32 bits";
+inline constexpr const char* too_wide = "the property may need integers of more than 32 bits";
 
 /// Returns, for each term of the model, true if the value of the term or of a subterm may exceed 32 bits. For a
 /// network, only terms without parameters are included.

@@ -79,7 +79,7 @@ std::vector<std::string> verify(const ChartRun& run) {
     for (std::size_t i = 0; i < run.moments.size(); ++i) {
         const std::string where = "moment " + std::to_string(i);
         check(run, run.moments[i], where, faults);
-        if (run.moments[i].after.time_ms < time) faults.push_back(where + ": time goes back");
+        if (run.moments[i].after.time_ms < time) faults.push_back(where + ": time decreases");
         time = run.moments[i].after.time_ms;
     }
     std::size_t last_moment = 0;

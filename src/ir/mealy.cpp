@@ -31,7 +31,7 @@ struct MealyCheck {
     void answers() {
         for (const MealyMachine::OutputWord& answer : machine.answers) {
             if (answer.values.size() != machine.outputs.size()) {
-                fault("an output word does not have exactly one value per output");
+                fault("the outputs of a transition do not have exactly one value per output");
                 continue;
             }
             for (std::size_t k = 0; k < answer.values.size(); ++k)
@@ -53,7 +53,7 @@ struct MealyCheck {
         for (const Transition& transition : machine.transitions) {
             if (!machine.states.contains(transition.from) || !machine.states.contains(transition.to))
                 fault("a transition has a state that does not exist");
-            if (!machine.answers.contains(transition.answer)) fault("a transition has no output word");
+            if (!machine.answers.contains(transition.answer)) fault("a transition has no output values");
             if (transition.wait_ms < 0) fault("a transition waits for a negative time");
             condition(transition.condition);
         }
@@ -64,7 +64,7 @@ struct MealyCheck {
             condition(unstable.condition);
         }
         for (const MealyMachine::Activation& activation : machine.activation) {
-            if (!machine.answers.contains(activation.answer)) fault("the activation has no output word");
+            if (!machine.answers.contains(activation.answer)) fault("the activation has no output values");
             condition(activation.condition);
         }
     }

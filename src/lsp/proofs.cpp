@@ -120,7 +120,7 @@ Json Session::lenses(const Json& params) {
         } else if (element->kind == DeclarationKind::Property && element->owner != nullptr) {
             const std::string& loop = element->owner->name;
             const VerdictDetails* const known = shown(file->path, key_of(loop, element->name));
-            if (known == nullptr) add(*element, "not checked: check", "grafverif.check", Json::array({loop}));
+            if (known == nullptr) add(*element, "not checked; check now", "grafverif.check", Json::array({loop}));
             else add(*element, known->word, "grafverif.showVerdict", Json::array({loop, element->name}));
         }
     }

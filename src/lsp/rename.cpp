@@ -47,8 +47,10 @@ std::string obstacle_of(const Names& names, const Declaration& element, bool err
             return fmt::format("`{}` has syntax errors, so some names may not be found; correct the errors first",
                                file->path);
         if (errors && file->is_renamable && has_unknown_meaning(names, *file, element))
-            return fmt::format("the errors of `{}` hide the meaning of an occurrence of `{}`; correct the errors first",
-                               file->path, element.name);
+            return fmt::format(
+                "because of the errors of `{}`, the meaning of an occurrence of `{}` is unknown; correct the errors "
+                "first",
+                file->path, element.name);
         for (const tree::Declaration& declaration : file->tree.declarations) {
             const auto* loop = std::get_if<tree::ClosedLoop>(&declaration);
             std::string obstacle;

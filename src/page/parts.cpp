@@ -289,7 +289,7 @@ void add_charts(const PageContent& content, Html& html) {
         html.put("figcaption", content.model.charts[each.chart].name);
         if (!each.drawing.empty()) html.open("div", {{"class", "drawing"}}).trusted(each.drawing).close("div");
         else if (each.program)
-            html.put("p", "The program contains no Sequential Function Chart, so that it has no drawing.",
+            html.put("p", "The program contains no Sequential Function Chart, so it has no drawing.",
                      {{"class", "empty"}});
         html.close("figure");
         if (each.program) add_listing(content, each, "program-" + std::to_string(k), html);

@@ -93,15 +93,16 @@ void SystemReporter::add(Verdict verdict, std::optional<SystemRun> run) {
     const bool shows_trace = verdict.outcome != Outcome::Holds || options_.witnesses;
     if (run && of_ == Of::Program) {
         if (const auto found = disagreement(project(check_.system, *run), check_.charts))
-            distrust(verdict, replay_failure("its trace", *found));
+            distrust(verdict, replay_failure("the trace", *found));
     } else if (run && shows_trace && !replays(*run, fmt::format("the trace of `{}`", verdict.property))) {
         run.reset();
     }
     if (!shows_trace || verdict.outcome == Outcome::Unknown) run.reset();
     if (const auto found = run ? untimely(project(check_.system, *run)) : std::nullopt)
-        verdict.notes.push_back(fmt::format("no plant has this run: {}/{} has expired in it, but {}/{} has not",
-                                            duration_text(found->longer_ms), found->step.variable(),
-                                            duration_text(found->shorter_ms), found->step.variable()));
+        verdict.notes.push_back(
+            fmt::format("no plant permits this run: {}/{} has expired in the run, but {}/{} has not",
+                        duration_text(found->longer_ms), found->step.variable(), duration_text(found->shorter_ms),
+                        found->step.variable()));
     std::string preservation = preservation_text(check_, check_.system.properties[verdict.about], verdict, unproven_);
     PropertyResult answer = result_of(check_.system, std::move(verdict), run, detail(options_));
     answer.preservation = std::move(preservation);

@@ -33,17 +33,17 @@ std::string reason(int error) {
 /// Returns a text for messages that states the type of a file, for example `it is a folder`. The file is not a regular
 /// file.
 std::string_view kind_of(mode_t mode) {
-    if (S_ISDIR(mode)) return "it is a folder";
-    if (S_ISFIFO(mode)) return "it is a pipe, not a file";
-    if (S_ISSOCK(mode)) return "it is a socket, not a file";
-    return "it is a device, not a file";
+    if (S_ISDIR(mode)) return "the path is a folder";
+    if (S_ISFIFO(mode)) return "the path is a pipe, not a file";
+    if (S_ISSOCK(mode)) return "the path is a socket, not a file";
+    return "the path is a device, not a file";
 }
 
 constexpr std::size_t block_size = std::size_t{1} << 20U;
 
 std::string too_large(std::uintmax_t most) { return fmt::format("larger than {} MiB", most >> 20U); }
 
-constexpr const char* outside_text = "it is outside the permitted folders";
+constexpr const char* outside_text = "the file is outside the permitted folders";
 
 std::string device_and_node(const struct stat& status) { return fmt::format("{}:{}", status.st_dev, status.st_ino); }
 
@@ -213,7 +213,8 @@ std::optional<fs::path> PermittedFolders::located(const fs::path& path, std::str
 std::optional<std::string> PermittedFolders::read(const fs::path& path, std::string& why, std::uintmax_t most) const {
     const auto file = resolved(path, why);
     if (!file) return {};
-    if (restricted_ && is_made_up(file->parent_path())) return why = "it is a virtual file of the kernel", std::nullopt;
+    if (restricted_ && is_made_up(file->parent_path()))
+        return why = "the file is a virtual file of the kernel", std::nullopt;
     return content_of_file(*file, why, most);
 }
 
@@ -246,8 +247,8 @@ std::optional<std::string> Reach::read(const std::string& path, std::string& why
     const fs::path file = fs::canonical(*permitted, failure);
     if (!failure && std::ranges::none_of(roots_, [&](const fs::path& root) { return is_below(file, root); })) {
         why =
-            "it is below neither the folder of the main file nor the folder of its project (which contains `.git` or "
-            "`grafverif.project`); allow it with `-I DIR`";
+            "the file is below neither the folder of the main file nor the folder of its project (which contains "
+            "`.git` or `grafverif.project`); allow it with `-I DIR`";
         return {};
     }
     return content_of_file(failure ? *permitted : file, why);

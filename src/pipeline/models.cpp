@@ -134,9 +134,9 @@ std::optional<Network> network_of(const Model& model, Id<ClosedLoop> id, const C
     if (network)
         for (const Property& property : loop.properties)
             if (reads_observer(loop, property))
-                diagnostics.add(
-                    messages::not_expressible(property.origin, property.name, "timed",
-                                              "it reads an observer, which is supported only for untimed models"));
+                diagnostics.add(messages::not_expressible(
+                    property.origin, property.name, "timed",
+                    "the property reads an observer, which is supported only for untimed models"));
     return network;
 }
 

@@ -97,7 +97,7 @@ std::optional<Xml> Xml::read(Id<Source> source, Sources& sources, Diagnostics& d
         return Span{source, begin, std::min(begin + 1, whole.end)};
     };
     if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
-        diagnostics.add(messages::broken_xml(place(nul), "the document contains a byte 0"));
+        diagnostics.add(messages::broken_xml(place(nul), "the document contains a NUL byte"));
         return {};
     }
     Xml xml;

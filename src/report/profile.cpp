@@ -81,7 +81,7 @@ private:
             out_ << fmt::format("    the declared time unit is {}{}; the durations are multiples of {}{}\n",
                                 seconds_text(finest.unit_ms), place, seconds_text(finest.coarser_ms), gain);
         else
-            out_ << fmt::format("    the duration {}{} makes the time unit {}; without it, it is {}{}\n",
+            out_ << fmt::format("    with the duration {}{}, the time unit is {}; without this duration, it is {}{}\n",
                                 seconds_text(finest.duration_ms), place, seconds_text(finest.unit_ms),
                                 seconds_text(finest.coarser_ms), gain);
     }

@@ -129,7 +129,7 @@ std::string parts_text(const ProofExplanation::ProofCore& ground) {
         parts.push_back(name + (timed ? " with its timing" : ""));
     }
     if (parts.empty()) return "holds for all behaviour of the plant and the timers";
-    return "of the plant and the timers, it depends only on " + listed(parts, " and ");
+    return "of the plant and the timers, the property depends only on " + listed(parts, " and ");
 }
 
 void print_folded(const std::string& text, std::ostream& out) {
@@ -187,7 +187,7 @@ std::string proof_core_text(const ProofExplanation& why, const ProofExplanation:
                                    : "no single transition or statement is needed");
     if (ground.about_states && ground.open.empty()) sentences.push_back(parts_text(ground));
     if (!ground.open.empty() && !ground.parts.empty())
-        sentences.push_back("of the plant and the timers, it depends on " + listed(ground.parts) +
+        sentences.push_back("of the plant and the timers, the property depends on " + listed(ground.parts) +
                             ", and possibly on undecided elements");
     if (ground.open.size() > most) charts.open.push_back(fmt::format("{} instances and timers", ground.open.size()));
     else charts.open.insert(charts.open.end(), ground.open.begin(), ground.open.end());

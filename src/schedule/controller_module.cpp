@@ -405,7 +405,8 @@ Id<Symbol> add_flag(const Cycle& cycle, Draft& draft, const char* preferred, con
     Exprs& exprs = draft.exprs;
     const Id<Expr> fault = exprs.disjunction(faults);
     if (is_false(exprs, fault)) return {};
-    const Id<Symbol> flag = draft.add(preferred, Type{}, TransitionSystem::ParameterSymbol{}, "faults, permanently");
+    const Id<Symbol> flag = draft.add(preferred, Type{}, TransitionSystem::ParameterSymbol{},
+                                      "faults; a fault remains true after it occurs");
     cycle.set(flag, exprs.constant(false), exprs.disjunction(draft.leaf(flag), fault));
     return flag;
 }

@@ -60,16 +60,17 @@ Id<Expr> leaf_of(const LoopMeaning& meaning, const ClosedLoop::Symbol& symbol, s
 std::string refusal(const LoopMeaning& meaning, const Property& property) {
     switch (property.pattern) {
     case Pattern::Watched:
-        return property.watch.duration_ms > 0 ? "it requires time, which this model does not have; use the timed "
-                                                "engine, or --plant automata --schedule interleaved --time discrete"
-                                              : "its observer is supported only in the timed model and with --plant "
-                                                "automata --schedule interleaved";
+        return property.watch.duration_ms > 0
+                   ? "the property requires time, which this model does not have; use the timed "
+                     "engine, or --plant automata --schedule interleaved --time discrete"
+                   : "the observer of the property is supported only in the timed model and with --plant "
+                     "automata --schedule interleaved";
     case Pattern::NoDeadlock:
         return meaning.can_move.valid()
                    ? ""
                    : "the transition relation of this model is total, even if the closed loop can deadlock";
     case Pattern::NoTimelock: return meaning.can_wait.valid() ? "" : "this model has no time";
-    case Pattern::RawUppaal: return "it is a formula for UPPAAL";
+    case Pattern::RawUppaal: return "UPPAAL formulas require UPPAAL";
     case Pattern::Always:
     case Pattern::Never:
     case Pattern::Reachable:

@@ -270,7 +270,7 @@ std::string ChartSimulation::wait(std::int64_t milliseconds) { return make(milli
 
 std::string ChartSimulation::wait() {
     const std::optional<std::int64_t> end = next_end();
-    return end ? make(*end) : "nothing changes as time passes; give `wait` a duration";
+    return end ? make(*end) : "nothing changes as time passes; write `wait` with a duration";
 }
 
 std::string ChartSimulation::refusal(const Setting& setting) const {

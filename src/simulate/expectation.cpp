@@ -116,8 +116,9 @@ std::variant<Expectation, std::string> parse_expectation(std::string_view text) 
         if (found != relations.end()) {
             const auto value = at + 1 < list.size() ? value_of(list[at + 1]) : std::nullopt;
             if (negated)
-                return fmt::format("`not` before the comparison `{} {}`; remove `not` and use the opposite comparison",
-                                   part.name, list[at]);
+                return fmt::format(
+                    "`not` is not allowed before the comparison `{} {}`; remove `not` and use the opposite comparison",
+                    part.name, list[at]);
             if (!value)
                 return fmt::format("the comparison `{} {}` has no valid value; write a whole number, `true` or `false`",
                                    part.name, list[at]);

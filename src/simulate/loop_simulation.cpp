@@ -266,7 +266,7 @@ std::string LoopSimulation::wait() {
     if (!delay.may_pass) return waiting_for();
     const std::int64_t units = std::min(delay.limit.value_or(0), delay.change.value_or(0));
     const std::int64_t soonest = units > 0 ? units : std::max(delay.limit.value_or(0), delay.change.value_or(0));
-    if (soonest == 0) return "nothing changes as time passes; give `wait` a duration";
+    if (soonest == 0) return "nothing changes as time passes; write `wait` with a duration";
     return wait(soonest * network_.time_unit_ms);
 }
 
@@ -289,7 +289,7 @@ std::string LoopSimulation::set(const std::vector<Setting>& settings) {
     if (std::string problem = range_text(name, found->type, value); !problem.empty()) return problem;
     const auto index = static_cast<std::size_t>(found - network_.variables.begin());
     const std::string value_text = !found->type.boolean ? std::to_string(value) : value != 0 ? "true" : "false";
-    if (state_.variables[index] == value) return fmt::format("`{}` is {} already", name, value_text);
+    if (state_.variables[index] == value) return fmt::format("`{}` is already {}", name, value_text);
     if (const auto fire = move_to(network_, state_, fires(), index, value)) return choose(*fire);
     const std::string problem = fmt::format("no move can set `{}` to {} now", name, value_text);
     const Leeway delay = leeway(network_, state_);

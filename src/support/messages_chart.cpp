@@ -21,7 +21,7 @@ Diagnostic no_initial_step(Span where, std::string_view chart) {
 
 Diagnostic no_activation_link(Span where, std::string_view chart) {
     return error("no-activation-link", where,
-                 fmt::format("`{}` is enclosed, but no step of it has an activation link; mark a step `linked`",
+                 fmt::format("`{}` is enclosed, but none of its steps has an activation link; mark a step `linked`",
                              clipped(chart)));
 }
 
@@ -38,7 +38,8 @@ Diagnostic missing_condition(Span where) {
 }
 
 Diagnostic detached_transition(Span where) {
-    return error("detached-transition", where, "this transition links no steps; add its upstream or downstream steps");
+    return error("detached-transition", where,
+                 "this transition has neither upstream nor downstream steps; add at least one");
 }
 
 Diagnostic step_twice(Span where, std::string_view step) {

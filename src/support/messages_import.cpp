@@ -109,12 +109,11 @@ Diagnostic nothing_to_import(Span where, std::string_view what) {
 }
 
 Diagnostic program_is_no_chart(Span where, std::string_view name) {
-    return error(
-        "nothing-to-import", where,
-        fmt::format("`{0}` is a program without a Sequential Function Chart, so it has no steps to import; "
-                    "check it with `grafverif check FILE --properties PROPERTIES`, also `report` and `serve`, or use "
-                    "it in a closed loop: `program {0} = \"FILE\";`",
-                    name));
+    return error("nothing-to-import", where,
+                 fmt::format("`{0}` is a program without a Sequential Function Chart, so it has no steps to import; "
+                             "check it with `grafverif check FILE --properties PROPERTIES` (`report` and `serve` "
+                             "accept the same option), or use it in a closed loop: `program {0} = \"FILE\";`",
+                             name));
 }
 
 // -- PLC programs -----------------------------------------------------------------------------------------------------
@@ -154,7 +153,9 @@ Diagnostic program_too_large(Span where, std::string_view what, std::uint64_t li
 Diagnostic unbounded_loop(Span where, std::uint64_t limit) {
     return error(
         "unbounded-loop", where,
-        fmt::format("constants do not limit this loop to {} iterations; use a FOR loop with constant bounds", limit));
+        fmt::format(
+            "this loop is not limited by constants to at most {} iterations; use a FOR loop with constant bounds",
+            limit));
 }
 
 Diagnostic program_without_cycle(Span where, std::string_view name) {

@@ -40,10 +40,12 @@ Diagnostic bound_twice(Span where, std::string_view variable, std::string_view f
 }
 
 Diagnostic partial_in_partial(Span where, std::string_view chart) {
-    return error("unsupported", where,
-                 fmt::format("`{}` contains partial charts, so that an instance cannot be a partial chart; declare the "
-                             "instance as a controller of the closed loop",
-                             clipped(chart)));
+    return error(
+        "unsupported", where,
+        fmt::format(
+            "an instance of `{0}` cannot be a partial chart, because `{0}` contains partial charts; declare the "
+            "instance as a controller of the closed loop",
+            clipped(chart)));
 }
 
 Diagnostic no_signal(Span where, std::string_view name, std::string_view what) {

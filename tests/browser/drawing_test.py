@@ -14,7 +14,7 @@ FONTS = ["", "'DejaVu Sans'", "'Liberation Sans'", "sans-serif"]  # the first en
 
 
 class Drawing(browser.Case):
-    def test_texts_fit_and_lie_on_nothing(self):
+    def test_texts_fit_and_do_not_overlap_other_elements(self):
         charts = [*browser.SOURCE.glob("samples/*/*.grafcet"), *browser.SOURCE.glob("tests/unit/app/elements/*.grafcet")]
         charts = [chart for chart in charts if "\nprogram " not in chart.read_text()]  # programs are not drawn
         self.assertGreater(len(charts), 20)

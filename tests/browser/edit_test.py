@@ -355,7 +355,7 @@ class Edit(browser.Case):
         self.control("s")
         self.page.wait_for_text("#problem", "another program has changed the file")
         self.assertEqual(self.file.read_text(), other)
-        self.press("Take the text")
+        self.press("Use the text")
         self.wait_for_text("// third")
         self.assertEqual(self.text(), other)
         self.press("Undo")

@@ -260,7 +260,7 @@ class Report(browser.Case):
         claim = self.page.texts(".why .term.true")
         self.assertIn("V_S", " ".join(claim))
 
-    def test_a_clearing_is_foretold_only_once_inputs_are_read_for_it(self):
+    def test_a_clearing_is_predicted_only_after_inputs_are_read(self):
         at = self.report_of(STEPWISE)
         at("#p/1")
         self.assertIn("t0 is enabled; its condition is true for the current inputs", self.answer("t0"))
@@ -269,7 +269,7 @@ class Report(browser.Case):
         at("#p/4")  # A is sampled again and is now false
         self.assertIn("t1 is enabled; its condition is true for the inputs last read", self.answer("t1"))
 
-    def test_a_claim_about_settled_states_is_decided_by_none_that_is_left_at_once(self):
+    def test_transient_states_do_not_decide_a_property_at_stable(self):
         at = self.report_of(SETTLED)
         at("#p/0")
         self.assertIn("forbidden in quiescent states", self.page.text(".why .answer"))
@@ -301,7 +301,7 @@ class Report(browser.Case):
         self.assertIn("t0 is cleared 2 times here. The tree shows the condition of t0 before it was cleared for the last time.", self.answer("t0"))
         self.assertIn("t2 is cleared here", self.answer("t2"))
 
-    def test_what_is_to_be_false_is_not_painted_as_a_fault(self):
+    def test_a_false_forbidden_term_is_not_marked_as_a_fault(self):
         at = self.report_of(STEPWISE)
         at("#p/0")
         self.assertEqual(self.page.text(".why .answer"), "forbidden: false since power-on")

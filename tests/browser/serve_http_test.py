@@ -175,7 +175,7 @@ class Serve(unittest.TestCase):
         server.stop()
         self.assertFalse(pathlib.Path(arguments).parent.exists())
 
-    def test_who_says_nothing_is_not_waited_for_and_many_are_turned_away(self):
+    def test_idle_connections_time_out_and_do_not_block_the_server(self):
         links = [socket.create_connection(("127.0.0.1", self.server.port), timeout=20) for _ in range(200)]
         try:
             links[0].settimeout(20)

@@ -84,7 +84,7 @@ class Serve(browser.Case):
         self.file.write_text(LAMP)
         browser.eventually(lambda: not self.page.find("#diagnostics-text").is_displayed(), what="no diagnostics")
 
-    def test_what_is_old_is_called_old(self):
+    def test_outdated_results_are_marked(self):
         server = self.serve(LAMP)
         browser.eventually(lambda: "as expected" in self.page.text("#status"), what="the verdicts")
         old = self.page.find("#verdicts .before").is_displayed

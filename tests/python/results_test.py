@@ -82,7 +82,7 @@ def test_verdicts_are_those_of_the_program():
     assert str(report) == printed("check", station) and "counterexample" in str(report)
 
 
-def test_verdicts_know_where_their_property_stands():
+def test_verdicts_have_the_position_of_their_property():
     report = grafverif.read(station).loop().check("P16")
     text = station.read_text().splitlines()[report["P16"].line - 1]
     assert report["P16"].file == str(station) and text[report["P16"].column - 1:].startswith(("property", "P16"))
@@ -150,7 +150,7 @@ def test_models_and_drawings_are_those_of_the_program():
     assert read.chart().structured_text() == printed("st", tanks, "--format", "text")
 
 
-def test_a_simulation_obeys_and_undoes():
+def test_a_simulation_executes_and_undoes_commands():
     moved = grafverif.read(samples / "blinker/blinker.grafcet").chart().simulate()
     assert moved.now.situation == ("0",)
     moved.set(BUTTON=True)

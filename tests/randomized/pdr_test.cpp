@@ -271,7 +271,7 @@ TEST(RandomizedPdr, InvariantsWithoutAClauseOrLiteralAreCheckedAgain) {
                 rejected += pdr::flaw(circuit, target.bad, damaged, watch).empty() ? 0U : 1U;
                 damaged = answer.invariant;
                 damaged[0] = {};
-                EXPECT_EQ(pdr::flaw(circuit, target.bad, damaged, watch), "it excludes an initial state");
+                EXPECT_EQ(pdr::flaw(circuit, target.bad, damaged, watch), "the invariant excludes an initial state");
             }
         }
     }

@@ -47,7 +47,7 @@ class Findings(unittest.TestCase):
     def test_test_names_are_split(self):
         self.assertEqual(findings("tests/a.cpp", "TEST(Suite, NobodyIsToldAnew) {}\n"),
                          [(1, "Nobody"), (1, "Told"), (1, "Anew")])
-        self.assertEqual(findings("tests/a.py", "def test_it_is_told():\n    pass\n"), [(1, "told")])
+        self.assertEqual(findings("tests/a.py", "def test_result_is_told():\n    pass\n"), [(1, "told")])
 
     def test_scripts_are_checked_in_comment_lines(self):
         self.assertEqual(findings("tests/CMakeLists.txt", "# told\nset(a told)\n"), [(1, "told")])

@@ -177,11 +177,11 @@ CliCommand analyse_usage() {
         any_number,
         "find defects of a chart or PLC program: instability, races, dead transitions, dead statements",
         "Explores all input sequences of a chart and reports its defects, each with a shortest input sequence: total\n"
-        "instability; races and conflicts of stored actions; branches cleared together; steps activated while active;\n"
-        "partial charts forced twice or forced while enclosed; steps that are never active; transitions that are "
-        "never\n"
-        "or always cleared; outputs that are never set; inputs that are never read. A `constraint` in the chart and a\n"
-        "table of input pairs that are never true together (--exclusions) exclude impossible inputs.\n"
+        "instability; races and conflicts of stored actions; transitions of one divergence cleared together;\n"
+        "steps activated while active; partial charts forced twice or forced while enclosed; steps that are never\n"
+        "active; transitions that are never or always cleared; outputs that are never set; inputs that are never\n"
+        "read. A `constraint` in the chart and a table of input pairs that are never true together (--exclusions)\n"
+        "exclude impossible inputs.\n"
         "For a PLC program, reports statements that are never executed, conditions that are always or never true, and\n"
         "outputs that are always assigned twice. Also reports blocks that are never called, timers that never elapse,\n"
         "and run-time faults of the program.\n"

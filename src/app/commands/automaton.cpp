@@ -105,10 +105,10 @@ CliCommand mealy_usage() {
         1,
         1,
         "print the Mealy machine of a chart",
-        "Prints the Mealy machine of a chart: the location automaton with one output word for every combination of\n"
-        "inputs in every state. INIT (the controller after power-on) is merged with the location of the initial\n"
-        "situation. Sets of inputs are printed as conditions, not as lists. For a chart with timers, the machine\n"
-        "has additional transitions in which time passes.\n"
+        "Prints the Mealy machine of a chart: the location automaton with the values of all outputs for every\n"
+        "combination of inputs in every state. INIT (the controller after power-on) is merged with the location of\n"
+        "the initial situation. Sets of inputs are printed as conditions, not as lists. For a chart with timers, the\n"
+        "machine has additional transitions in which time passes.\n"
         "Formats: text, JSON, DOT (Graphviz), SVG.",
         {"grafverif mealy samples/tanks/tanks.grafcet",
          "grafverif mealy samples/tanks/tanks.grafcet --minimise --format json"},

@@ -19,7 +19,7 @@ ExitCode draw(CommandContext& job, const Streams& streams) {
     const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
     if (!chart) return ExitCode::Input;
     if (const Chart& drawn = model->charts[*chart]; drawn.program && drawn.steps.empty())
-        job.diagnostics.add(messages::only_for_charts(drawn.origin, drawn.name, "it has no steps to be drawn",
+        job.diagnostics.add(messages::only_for_charts(drawn.origin, drawn.name, "it has no steps to draw",
                                                       "use `grafverif report`, which shows its statements"));
     const DrawOptions options{
         .notation = job.options.notation,

@@ -115,7 +115,7 @@ CliCommand lsp_usage() {
         "Implements the Language Server Protocol 3.17 on standard input and output, for editors that start this\n"
         "server (docs/how-to/language-server.md has the configuration). The text of a document that is open in the\n"
         "editor is used instead of the file on disk, also when another file includes the document. The server\n"
-        "writes only temporary files, which other programs display. It exits when the editor requests this, or\n"
+        "writes only temporary files that other programs display. It exits when the editor requests this, or\n"
         "when the editor terminates.",
         {"grafverif lsp"},
         {OptionGroup::Within, OptionGroup::Lsp}};

@@ -158,9 +158,9 @@ CliCommand replay_usage() {
             "conforms if the chart with these inputs can have these outputs, and each recorded time differs from the\n"
             "time in the controller by at most the jitter (docs/how-to/check-recordings.md). Otherwise, the first\n"
             "deviation is printed. The log is CSV with a first line of column names, JSON lines or VCD; `-` is\n"
-            "standard input. The mode is stability-search. With --skew, recorded times can be those of other clocks.\n"
-            "--report writes the verdicts as an HTML report, with a player for the run. Exit code 1: the recording\n"
-            "deviates or violates a property; 3: inconclusive.",
+            "standard input. The mode is stability-search. With --skew, columns can be recorded with separate\n"
+            "clocks. --report writes the verdicts as an HTML report, with a player for the run. Exit code 1: the\n"
+            "recording deviates or violates a property; 3: inconclusive.",
             {"grafverif replay press.grafcet --log night.csv --jitter 20ms",
              "grafverif replay press.grafcet --log night.csv --skew VALVE,LAMP=500ms",
              "grafverif replay press.grafcet --log night.csv --map %I0.3=START --format json",

@@ -25,7 +25,7 @@ std::optional<std::vector<ChartRun>> tests_of(const Model& model, const std::vec
         return {};
     }
     if (const Chart& chart = model.charts[charts.front()]; chart.program) {
-        job.diagnostics.add(messages::only_for_charts(chart.origin, chart.name, "`--sequence` gives a test of a chart",
+        job.diagnostics.add(messages::only_for_charts(chart.origin, chart.name, "`--sequence` applies only to charts",
                                                       "omit `--sequence`"));
         return {};
     }
@@ -91,8 +91,8 @@ CliCommand report_usage() {
             "their\n"
             "values. With --properties FILE, the report is about a PLC program without a plant, as with `check`.\n"
             "Each step of a trace has an address, such as report.html#P16/23.\n"
-            "The same input gives the same bytes; the report has a date only with --date. The exit codes are those of "
-            "`check`.",
+            "Reports of the same input are byte-identical; a report has a date only with --date. The exit codes are\n"
+            "those of `check`.",
             {"grafverif report samples/testing_station/faulty.grafcet -o report.html",
              "grafverif report station.grafcet --property P15 --date \"$(date -I)\" -o P15.html",
              "grafverif report docs/drive.st --properties docs/drive.yaml -o drive.html"},

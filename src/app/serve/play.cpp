@@ -292,7 +292,7 @@ std::string play(const CheckedFile& piece, const Options& options, const std::st
         answer = error_text("malformed request; send an object with `loop` or `chart`, and `moves`, a list of strings");
     else if (parsed->moves.size() > most_moves || parsed->random > most_random_moves)
         answer = error_text("too many moves: at most " + std::to_string(most_moves) + " in total and " +
-                            std::to_string(most_random_moves) + " at random per request");
+                            std::to_string(most_random_moves) + " random moves per request");
     else answer = played(piece, options, *parsed);
     return json_text(answer, -1);
 }

@@ -144,7 +144,8 @@ bool InterleavedCheck::decide_starved(Id<Property> id, SubsystemResult& search, 
     const PartList all_others = parts_.others(search.chosen);
     const std::uint32_t who = all_others[static_cast<std::size_t>(mover - rest.begin())];
     if (waiting.is_false()) {
-        give(id, verdict, scope(search.chosen, "shares nothing with it and does not affect the verdict"), {});
+        give(id, verdict,
+             scope(search.chosen, "shares nothing with the checked sub-loops and does not affect the verdict"), {});
         return true;
     }
     const FlatRun path =
@@ -155,7 +156,8 @@ bool InterleavedCheck::decide_starved(Id<Property> id, SubsystemResult& search, 
     verdict.outcome = Outcome::Violated;
     verdict.vacuous = false;
     verdict.notes = {"`" + (*mover)->name + "` can move forever while all other sub-loops wait"};
-    give(id, verdict, scope(search.chosen, "shares nothing with it and can move forever while it waits"),
+    give(id, verdict,
+         scope(search.chosen, "shares nothing with the checked sub-loops and can move forever while they wait"),
          replayed(parts_.flat(), made));
     return true;
 }

@@ -61,25 +61,28 @@ std::string untimed_preservation_obstacle(const Verdict& verdict, bool at_stable
 }
 
 std::string untimed_because(const Verdict& verdict, bool at_stable) {
-    if (at_stable) return "shares nothing with it and has a quiescent state";
+    if (at_stable) return "shares nothing with the checked sub-loops and has a quiescent state";
     if (preservation_class_of(verdict) == PreservationClass::Unavoidable)
-        return "shares nothing with it and cannot move forever";
-    return "shares nothing with it";
+        return "shares nothing with the checked sub-loops and cannot move forever";
+    return "shares nothing with the checked sub-loops";
 }
 
 std::string because(const Verdict& verdict, bool at_stable) {
     const PreservationClass claim = preservation_class_of(verdict);
     const bool of_states = claim == PreservationClass::Everywhere || claim == PreservationClass::Somewhere;
     if (of_states && at_stable)
-        return "shares only time with it, can let time pass forever and is quiescent whenever time passes";
+        return "shares only time with the checked sub-loops, can let time pass forever and is quiescent whenever time "
+               "passes";
     switch (claim) {
-    case PreservationClass::Everywhere: return "shares only time with it and adds no state";
-    case PreservationClass::Somewhere: return "shares only time with it and can let time pass forever";
+    case PreservationClass::Everywhere: return "shares only time with the checked sub-loops and adds no state";
+    case PreservationClass::Somewhere:
+        return "shares only time with the checked sub-loops and can let time pass forever";
     case PreservationClass::Unavoidable:
-        return "shares only time with it, has no timelock and makes only finitely many moves within one instant";
+        return "shares only time with the checked sub-loops, has no timelock and makes only finitely many moves within "
+               "one instant";
     case PreservationClass::Possible: break;
     }
-    return "shares only time with it and has no timelock";
+    return "shares only time with the checked sub-loops and has no timelock";
 }
 
 bool settled_separately(Pattern pattern) { return is_about_states(pattern); }

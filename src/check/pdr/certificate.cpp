@@ -49,20 +49,25 @@ std::string flaw(const Circuit& circuit, Literal bad, const std::vector<Cube>& c
     for (const Cube& cube : cubes) {
         std::vector<int> outside;
         for (const Literal literal : cube) {
-            if (!next.contains(node_of(literal))) return "it contains a literal that is not a latch";
+            if (!next.contains(node_of(literal))) return "the invariant contains a literal that is not a latch";
             outside.push_back(-CircuitClauses::of(literal));
         }
-        if (std::ranges::all_of(cube, is_inverted)) return "it excludes an initial state";
+        if (std::ranges::all_of(cube, is_inverted)) return "the invariant excludes an initial state";
         solver.clause(outside);
     }
+<<<<<<< HEAD
     if (solver.possible({CircuitClauses::of(bad)})) return "it does not exclude the bad states";
     std::vector<int> entered;  // for each cube: a solver variable; if it is true, the next state belongs to the cube
+=======
+    if (solver.possible({CircuitClauses::of(bad)})) return "the invariant does not exclude the bad states";
+    std::vector<int> entered;  // for each cube, a variable that implies that the next state belongs to the cube
+>>>>>>> t7
     for (const Cube& cube : cubes) {
         entered.push_back(solver.fresh());
         for (const Literal literal : cube)
             solver.clause({-entered.back(), CircuitClauses::of(next[node_of(literal)] ^ (literal & 1U))});
     }
-    if (!entered.empty() && solver.possible({}, entered)) return "it is not inductive";
+    if (!entered.empty() && solver.possible({}, entered)) return "the invariant is not inductive";
     return {};
 }
 

@@ -24,8 +24,7 @@ namespace {
 /// Returns the reason why this engine does not support a property, or an empty string if the engine supports it.
 std::string refusal(Pattern pattern) {
     const bool about_runs = is_liveness(pattern) || pattern == Pattern::AlwaysPossible;
-    return about_runs ? "a property of runs, but this engine decides only properties of states"
-                      : unsupported_reason(pattern);
+    return about_runs ? "this engine decides only properties of states, not of runs" : unsupported_reason(pattern);
 }
 
 class Check {

@@ -249,7 +249,8 @@ void Writer::write_time() {
     for (std::size_t i = 0; i < groups_.size(); ++i)
         if (slots_.automaton(groups_[i].process).edges[groups_[i].edge].urgent)
             fmt::print(out_, "    broken = false;\n    is = may_{}(s);\n    if (is && !broken) return true;\n", i);
-    out_ << "    return false;\n}\n\n/* One unit of time. */\nstatic bool pass(int *s) {\n    (void)s;\n";
+    out_ << "    return false;\n}\n\n/* Lets one unit of time pass. False if time cannot pass. */\nstatic bool "
+            "pass(int *s) {\n    (void)s;\n";
     for (const Id<Network::Process> id : network_.processes.ids()) {
         const Network::Template& automaton = slots_.automaton(id);
         const auto& clocks = slots_.clocks[id.index];
@@ -289,7 +290,7 @@ void Writer::write_next() {
     fmt::print(out_, R"(
     0}};
 
-/* The successor by a group, in `next`; false: it cannot move, or has a model error. */
+/* Writes the successor of `src` by a group into `next`. False if the group cannot move or has a model error. */
 static bool step(int group, const int *src, int *next) {{
     memcpy(next, src, SLOTS * sizeof(int));
     memset(next + SLOTS, 0, SCRATCH * sizeof(int));
@@ -335,7 +336,7 @@ static int state_label(model_t model, int label, int *s) {
 }
 
 void Writer::write_matrix(const char* name, const std::vector<SlotSet>& rows) {
-    fmt::print(out_, "/* Per row the slots, then -1. */\nstatic const int {}[] = {{\n", name);
+    fmt::print(out_, "/* For each row: its slots, then -1. */\nstatic const int {}[] = {{\n", name);
     for (const SlotSet& row : rows) {
         out_ << "    ";
         for (const Slot slot : row) out_ << slot << ", ";

@@ -102,7 +102,7 @@ private:
         const SearchScope& scope = reported.scope;
         if (reported.pattern == Pattern::NoDeadlock && !(scope.searched.empty() && scope.left_out.empty()))
             return "the verdict applies to each subsystem; pass `--monolithic` to certify it for the complete loop";
-        if (certificate::is_too_deep(flat_)) return "a term of the model is too deep";
+        if (certificate::is_too_deep(flat_)) return "a term of the model is nested too deeply";
         if (found.outcome == Outcome::Unknown) return "the complete search does not decide it: " + found.reason;
         if (found.outcome != reported.outcome) {
             certificate_.failures.push_back(
@@ -110,7 +110,8 @@ private:
                             found.outcome == Outcome::Holds ? "holds" : "is violated", word(reported.outcome)));
             return "the complete search contradicts the verdict";
         }
-        if (found.run && certificate::units_of(*found.run) > certificate::longest_run) return "its run is too long";
+        if (found.run && certificate::units_of(*found.run) > certificate::longest_run)
+            return "the run of the verdict is too long";
         if (!found.run && (!result.complete || !result.errors.empty())) return "the set of states is incomplete";
         return {};
     }

@@ -115,7 +115,7 @@ void add_witness(const std::string& property, const Circuit& circuit, pdr::Liter
             files.push_back({name + '.' + condition + ".lrat", std::move(*proof)});
         }
     } catch (const pdr::Exhausted&) {
-        certificate.omitted.push_back({property, "a limit ended the proof of its invariant"});
+        certificate.omitted.push_back({property, "a limit ended the proof of the invariant"});
         return;
     } catch (const std::logic_error& flaw) {
         certificate.omitted.push_back({property, std::string("the solver's proof is not accepted: ") + flaw.what()});

@@ -154,7 +154,7 @@ private:
             else {
                 report_.failures.push_back(
                     fmt::format("the trace of `{}` is not confirmed: {}", property.name, replay.disagreement));
-                set_unknown(verdict, UnknownReason::Failed, "its trace is not confirmed");
+                set_unknown(verdict, UnknownReason::Failed, "the trace is not confirmed");
             }
         }
         answer.verdict = std::move(verdict);

@@ -146,7 +146,8 @@ bool set_times(const std::array<CompareSide, 2>& sides, const CompareOptions& op
 /// run-time fault.
 std::string fault_reason(const Comparison::ScanOutputs& a, const Comparison::ScanOutputs& b) {
     const std::string_view who = a.run_time_fault && b.run_time_fault ? "" : a.run_time_fault ? ", a" : ", b";
-    return fmt::format("in the last scan, both stop{} because of a run-time fault, which is a model error", who);
+    return fmt::format("in the last scan, a and b both stop{} because of a run-time fault, which is a model error",
+                       who);
 }
 
 /// True if the side is known to complete every scan for all inputs, without a check by PDR.
@@ -262,8 +263,8 @@ private:
         Answered one = check_properties({"continues"}, {});
         if (one.outcome != Comparison::Outcome::Different) return one;
         return {Comparison::Outcome::Unknown,
-                "both stop in the first scan for all inputs, so no outputs are compared; `--stop-output` must name an "
-                "output that is zero in normal operation",
+                "a and b both stop in the first scan for all inputs, so no outputs are compared; `--stop-output` must "
+                "name an output that is zero in normal operation",
                 {}};
     }
 

@@ -15,7 +15,7 @@ std::optional<Model> read_again(Id<Source> main, const std::map<std::string, std
     const Id<Source> file = to.add({from[main].name, known[from[main].name]});
     const auto load = [&](const std::string& path, std::string& why) -> std::optional<std::string> {
         if (const auto found = known.find(path); found != known.end()) return found->second;
-        return why = "it was not read before", std::nullopt;
+        return why = "the file was not read before", std::nullopt;
     };
     ReadContext context{load, library(), read.lossy, identity_of_existing, read.include_folders, {}};
     context.constants.insert(read.constants.begin(), read.constants.end());

@@ -89,7 +89,7 @@ void print_scans(const Comparison& comparison, std::ostream& out) {
             widths[k] = std::min(most[k], std::max(widths[k], columns_of(row[k])));
     for (const auto& row : rows) print_row(row, widths, out);
     const Comparison::ScanOutputs &a = comparison.answers[0].back(), &b = comparison.answers[1].back();
-    if (!a.stop.empty() && !b.stop.empty()) out << "  in the last scan, both stop\n";
+    if (!a.stop.empty() && !b.stop.empty()) out << "  in the last scan, a and b both stop\n";
     else if (!a.stop.empty() || !b.stop.empty())
         out << fmt::format("  in the last scan, `{}` stops and the other continues\n", a.stop.empty() ? "b" : "a");
     else
@@ -156,7 +156,7 @@ void print_basis(const Comparison& comparison, std::ostream& out) {
 
 /// Returns the statement that is proved if no sequence of scans distinguishes the two sides.
 std::string equality_text(const Comparison& comparison) {
-    return fmt::format("for all inputs{}, both write the same outputs in every scan, or both stop in the same scan",
+    return fmt::format("for all inputs{}, a and b write the same outputs in every scan, or both stop in the same scan",
                        comparison.resolution_ms > 0 && !comparison.interval_ms ? " and all times between scans" : "");
 }
 

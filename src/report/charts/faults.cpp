@@ -224,7 +224,7 @@ std::string names_of(const FaultAnalysis& analysis, const FaultSet& faults) {
 std::string unproved(const FaultAnalysis& analysis, const FaultAnalysis::Cut& cut) {
     if (cut.unknown_subsets.empty()) return "";
     return "minimality is unproved: " + names_of(analysis, cut.unknown_subsets) +
-           (cut.unknown_subsets.size() == 1 ? " has" : " have") + " the verdict unknown";
+           (cut.unknown_subsets.size() == 1 ? " has" : " have") + " an unknown verdict";
 }
 
 std::string absence_of_trace(const FaultAnalysis::Row& row, const FaultAnalysis::Cut& cut) {

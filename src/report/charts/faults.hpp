@@ -29,7 +29,7 @@ namespace grafverif {
 /// Returns the names of the faults of a combination, such as `V_stuck + H_stuck`. For the empty combination, returns
 /// `no fault`.
 std::string names_of(const FaultAnalysis& analysis, const FaultSet& faults);
-/// Returns text such as `minimality is unproved: V_stuck, H_stuck have the verdict unknown`; empty if the combination
+/// Returns text such as `minimality is unproved: V_stuck, H_stuck have an unknown verdict`; empty if the combination
 /// is proved to be minimal.
 std::string unproved(const FaultAnalysis& analysis, const FaultAnalysis::Cut& cut);
 /// Returns the reason why a combination has no trace.

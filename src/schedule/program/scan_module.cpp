@@ -76,8 +76,8 @@ private:
     /// Adds a flag that remains set after `cause` has been true. The result is invalid if `cause` is never true.
     Id<Symbol> add_flag(const char* preferred, Id<Expr> cause) {
         if (is_false(exprs(), cause)) return {};
-        const Id<Symbol> flag =
-            draft_.add(preferred, Type{}, TransitionSystem::ParameterSymbol{}, "faults, permanently");
+        const Id<Symbol> flag = draft_.add(preferred, Type{}, TransitionSystem::ParameterSymbol{},
+                                           "faults; a fault remains true after it occurs");
         set(flag, exprs().constant(false), exprs().disjunction(draft_.leaf(flag), cause));
         return flag;
     }

@@ -60,7 +60,7 @@ std::string timer_line(const Automaton& automaton, const Automaton::Input& timer
             fmt::format(", {} after {} {}", duration_text(timer.rise_ms), what, step ? "was activated" : "became true");
     if (timer.fall_ms != 0)
         text += fmt::format("{} until {} after {} {}", timer.rise_ms == 0 ? "," : "", duration_text(timer.fall_ms),
-                            what, step ? "was left" : "became false");
+                            what, step ? "was deactivated" : "became false");
     return text;
 }
 

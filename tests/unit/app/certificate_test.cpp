@@ -179,7 +179,7 @@ TEST(Certify, AcceptsAShownRunAndRejectsAFalseClaim) {
     EXPECT_NE(shown.out.find("lit: holds, shown by a run\ndark: not certified: no claim\n"), std::string::npos);
     const Certified not_shown = certify(write_certificate(folder, lamp, "holds lit\ndelay 1\nend\n"));
     EXPECT_EQ(not_shown.code, 1);
-    EXPECT_EQ(not_shown.out, "rejected: the run of `lit` does not show its verdict\n");
+    EXPECT_EQ(not_shown.out, "rejected: the run of `lit` does not prove its verdict\n");
     const std::string states = "0 0 \n";
     folder.write("states.txt", states);
     const Certified open = certify(write_certificate(folder, lamp, "states " + checksum(states) + "\nholds dark\n"));
@@ -239,7 +239,7 @@ TEST(Certify, RejectsMalformedFilesWithAMessage) {
         {"grafverif-network 2\n", "network.txt:1: this is not a network of version 1"},
         {"grafverif-network 1\nprocess p\n", "network.txt:2: a process has no initial location"},
         {"grafverif-network 1\nvariable V 0 9999999999999999999999 0\n",
-         "network.txt:2: `9999999999999999999999` is not a number, or too large or small"},
+         "network.txt:2: `9999999999999999999999` is not a number or is out of range"},
         {head + "initial l\nprocess q\nlocation l\n", "network.txt:7: a process has no initial location"},
         {head + "variable V 0 1 0\n", "network.txt:5: `term V` is declared twice"},
         {head, "network.txt:4: a process has no initial location"},
@@ -248,8 +248,7 @@ TEST(Certify, RejectsMalformedFilesWithAMessage) {
         {head + "clock x\n", "network.txt:5: unexpected `clock`"},
         {head + "cap x 1\n", "network.txt:5: unknown word"},
         {head + "process q\ncap x 1\n", "network.txt:6: unexpected `cap`"},
-        {head + "process q\nclock x\nlocation l\ncap x -1\n",
-         "network.txt:8: `-1` is not a number, or too large or small"},
+        {head + "process q\nclock x\nlocation l\ncap x -1\n", "network.txt:8: `-1` is not a number or is out of range"},
         {head + "edge l l (at p l V)\n", "network.txt:5: wrong number of operands"},
         {head + "edge l l (at p m)\n", "network.txt:5: unknown word"},
         {head + "initial l\ninitial l\n", "network.txt:6: `initial p` is declared twice"},
@@ -257,7 +256,7 @@ TEST(Certify, RejectsMalformedFilesWithAMessage) {
         {head + "settled 1\nsettled 0\n", "network.txt:6: `settled` is declared twice"},
         {head + "property a always 1\nproperty a always V\n", "network.txt:6: `property a` is declared twice"},
         {"grafverif-network 1\nprocess p\nlocation l\nprocess p\n", "network.txt:4: `process p` is declared twice"},
-        {head + "variable W 0 1 2\n", "network.txt:5: `2` is not a number, or too large or small"},
+        {head + "variable W 0 1 2\n", "network.txt:5: `2` is not a number or is out of range"},
         {head + "edge l m 1\n", "network.txt:5: unknown word"},
         {head + "edge l l (and V\n", "network.txt:5: the line is incomplete"},
         {head + "edge l l (not V V)\n", "network.txt:5: wrong number of operands"},
@@ -267,7 +266,7 @@ TEST(Certify, RejectsMalformedFilesWithAMessage) {
         {head + "property p stable always V\n", "network.txt:5: `settled` is not defined"},
         {head + "edge l l V", "network.txt:4: the last line is incomplete"},
         {head + nested, "network.txt:5: parentheses are nested too deeply"},
-        {chain, "network.txt:5005: a term is too deep"},
+        {chain, "network.txt:5005: a term is nested too deeply"},
     };
     for (const auto& [network, message] : networks) {
         const Certified found = certify(write_certificate(folder, network, ""));
@@ -285,7 +284,7 @@ TEST(Certify, RejectsMalformedFilesWithAMessage) {
          "certificate.txt:3: the line contains a control character"},
         {"also ../other\n", "certificate.txt:3: invalid folder"},
         {"also .other\n", "certificate.txt:3: invalid folder"},
-        {"holds lit\ntake lamp 7\nend\n", "certificate.txt:4: `7` is not a number, or too large or small"},
+        {"holds lit\ntake lamp 7\nend\n", "certificate.txt:4: `7` is not a number or is out of range"},
         {"holds lit\ntake lamp 0\nend\nholds lit\ntake lamp 0\nend\n", "certificate.txt:6: two claims about `lit`"},
         {"states 0\n", folder.file("states.txt") + ": no such file"},
     };
@@ -302,7 +301,7 @@ TEST(Certify, BoundsItsWork) {
     const Folder folder;
     const Certified waits = certify(write_certificate(folder, lamp, "holds lit\ndelay 4611686018427387904\nend\n"));
     EXPECT_EQ(waits.code, 2);
-    EXPECT_EQ(waits.out, "error: certificate.txt:4: `4611686018427387904` is not a number, or too large or small\n");
+    EXPECT_EQ(waits.out, "error: certificate.txt:4: `4611686018427387904` is not a number or is out of range\n");
     const std::string path = write_certificate(folder, lamp, "also again\n");
     fs::create_directory_symlink(path, fs::path(path) / "again");
     const Certified endless = certify(path);

@@ -144,16 +144,17 @@ TEST(Check, StatesOmittedSubsystemsWithTheReason) {
     const std::string file = folder.write("lamps.grafcet", two_lamps);
     std::string text = grafverif({"check", file}).out;
     for (std::size_t at = 0; (at = text.find("\n        ")) != std::string::npos;) text.replace(at, 9, " ");
-    for (const char* words :
-         {"sub-loop `left` alone; omitted: `right`, which shares only time with it and can let time pass forever\n",
-          "sub-loop `left` alone; omitted: `right`, which shares only time with it, has no timelock and makes only "
-          "finitely many moves within one instant\n",
-          "sub-loops `left`, `right`, each separately\n"})
+    for (const char* words : {"sub-loop `left` alone; omitted: `right`, which shares only time with the checked "
+                              "sub-loops and can let time pass forever\n",
+                              "sub-loop `left` alone; omitted: `right`, which shares only time with the checked "
+                              "sub-loops, has no timelock and makes only "
+                              "finitely many moves within one instant\n",
+                              "sub-loops `left`, `right`, each separately\n"})
         EXPECT_NE(text.find(words), std::string::npos) << text;
     const Json apart = Json::parse(grafverif({"check", file, "--format", "json"}).out)["properties"];
     const Json whole = Json::parse(grafverif({"check", file, "--format", "json", "--monolithic"}).out)["properties"];
     EXPECT_EQ(apart[0]["sub_loops"], Json::parse(R"({"searched": ["left"], "left_out": ["right"],
-                              "because": "shares only time with it and can let time pass forever"})"));
+                              "because": "shares only time with the checked sub-loops and can let time pass forever"})"));
     EXPECT_FALSE(apart[2].contains("sub_loops"));
     for (std::size_t i = 0; i < whole.size(); ++i) {
         EXPECT_EQ(apart[i]["verdict"], whole[i]["verdict"]) << whole[i]["name"];

@@ -16,7 +16,7 @@ TEST(ComparePrograms, RewrittenProgramIsProvedEqual) {
     EXPECT_EQ(result.code, ExitCode::Done) << result.out << result.err;
     EXPECT_EQ(result.out,
               "`latch` (a) and `latch` (b): equal\n"
-              "  for all inputs, both write the same outputs in every scan, or both stop in the same scan\n"
+              "  for all inputs, a and b write the same outputs in every scan, or both stop in the same scan\n"
               "  a scan is one execution of each program\n");
     EXPECT_EQ(compared(latch, latch).code, ExitCode::Done);
     const std::string real = with(latch, "L : BOOL", "r : REAL; L : BOOL");
@@ -96,12 +96,12 @@ TEST(ComparePrograms, ARunTimeFaultInWhichBothStopIsAModelError) {
     const Result result = compared(dividing, with(dividing, "6 / n", "6 / (n + 0)"));
     EXPECT_EQ(result.code, ExitCode::Verdict) << result.out << result.err;
     EXPECT_NE(
-        result.out.find("unknown\n"
-                        "  inconclusive: in the last scan, both stop because of a run-time fault, which is a "
-                        "model error\n"
-                        "  proved: for all inputs, both write the same outputs in every scan, or both stop in the "
-                        "same scan\n"
-                        "  found: a run-time fault in scan 1, replayed on the interpreter of programs:\n"),
+        result.out.find(
+            "unknown\n"
+            "  inconclusive: in the last scan, a and b both stop because of a run-time fault, which is a "
+            "model error\n"
+            "  proved: for all inputs, a and b write the same outputs in every scan, or both stop in the same scan\n"
+            "  found: a run-time fault in scan 1, replayed on the interpreter of programs:\n"),
         std::string::npos)
         << result.out;
     const Result exact = compared(dividing, dividing, {"--format", "json"});
@@ -111,7 +111,7 @@ TEST(ComparePrograms, ARunTimeFaultInWhichBothStopIsAModelError) {
     const std::string stop = json["scans"].back()["answers"][1]["stop"];
     EXPECT_TRUE(stop.starts_with("the program divides by zero (")) << stop;
     EXPECT_TRUE(stop.ends_with("b:6) [no-value]")) << stop;
-    EXPECT_NE(result.out.find("in the last scan, both stop\n"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("in the last scan, a and b both stop\n"), std::string::npos) << result.out;
     EXPECT_EQ(compared(dividing, dividing).code, ExitCode::Verdict) << "also for identical programs";
     const Result one = compared(dividing, with(dividing, "IF a THEN", "IF a AND n > 0 THEN"));
     EXPECT_EQ(one.code, ExitCode::Verdict);
@@ -160,7 +160,7 @@ TEST(ComparePrograms, AStopInTheFirstScanMakesTheResultUnknown) {
         const Result result =
             compared(on, with(on, "L := on", "L := FALSE"), {"--stop-output", "OK", "--compare", mode});
         EXPECT_EQ(result.code, ExitCode::Unknown) << result.out << result.err;
-        EXPECT_NE(result.out.find("both stop in the first scan for all inputs, so no outputs are compared"),
+        EXPECT_NE(result.out.find("a and b both stop in the first scan for all inputs, so no outputs are compared"),
                   std::string::npos)
             << result.out;
     }

@@ -215,7 +215,7 @@ TEST(EditedFile, FileThatCannotBeShownIsNotOverwritten) {
     EXPECT_TRUE(std::string(session.state()["notice"]).starts_with("another program has changed the file"));
     fs::remove(folder.file("lamp.grafcet"));
     fs::create_directory(folder.file("lamp.grafcet"));
-    EXPECT_EQ(session.problem("/save"), changed + "it is a folder");
+    EXPECT_EQ(session.problem("/save"), changed + "the path is a folder");
     fs::remove(folder.file("lamp.grafcet"));
     EXPECT_EQ(session.problem("/save"), "") << "a deleted file is created again";
     EXPECT_EQ(folder.read("lamp.grafcet"), lamp + "// mine\n");

@@ -323,9 +323,10 @@ TEST(ReadFile, AcceptsOnlyRegularFilesAndNeverBlocks) {
     fs::create_symlink("pipe", folder.file("link"));
     std::string why;
     for (const auto& [path, reason] :
-         {std::pair(folder.file("pipe"), "it is a pipe, not a file"),
-          std::pair(folder.file("link"), "it is a pipe, not a file"), std::pair(folder.file(""), "it is a folder"),
-          std::pair(std::string("/dev/zero"), "it is a device, not a file"),
+         {std::pair(folder.file("pipe"), "the path is a pipe, not a file"),
+          std::pair(folder.file("link"), "the path is a pipe, not a file"),
+          std::pair(folder.file(""), "the path is a folder"),
+          std::pair(std::string("/dev/zero"), "the path is a device, not a file"),
           std::pair(folder.file("none"), "no such file"), std::pair(folder.file("none/deeper"), "no such file")}) {
         EXPECT_EQ(content_of_file(path, why), std::nullopt);
         EXPECT_EQ(why, reason) << path;
@@ -373,16 +374,16 @@ TEST(Include, PipesDevicesAndFoldersAreRejected) {
     ASSERT_EQ(::mkfifo(folder.file("pipe").c_str(), 0600), 0);
     fs::create_directory(folder.file("folder"));
     for (const auto& [name, reason] :
-         {std::pair("pipe", "it is a pipe"), std::pair("folder", "it is a folder"), std::pair("none", "no such file"),
-          std::pair("/nowhere/at/all", "no such file")}) {
+         {std::pair("pipe", "the path is a pipe"), std::pair("folder", "the path is a folder"),
+          std::pair("none", "no such file"), std::pair("/nowhere/at/all", "no such file")}) {
         const std::string main = folder.write("main.grafcet", "include \"" + std::string(name) + "\";\n");
         const Result result = grafverif({"equations", main});
         EXPECT_EQ(result.code, ExitCode::Input);
         EXPECT_NE(result.err.find(reason), std::string::npos) << result.err;
     }
-    EXPECT_NE(grafverif({"equations", folder.file("pipe")}).err.find("it is a pipe"), std::string::npos);
+    EXPECT_NE(grafverif({"equations", folder.file("pipe")}).err.find("the path is a pipe"), std::string::npos);
     const std::string main = folder.write("main.grafcet", "include \"/dev/zero\";\n");
-    EXPECT_NE(grafverif({"equations", main, "-I", "/dev"}).err.find("it is a device"), std::string::npos);
+    EXPECT_NE(grafverif({"equations", main, "-I", "/dev"}).err.find("the path is a device"), std::string::npos);
 }
 
 /// Changes the current folder for the lifetime of the object.

@@ -133,7 +133,7 @@ TEST(FirstUse, InvalidNumberIsRejectedWithASuggestion) {
     }
 }
 
-TEST(FirstUse, ACommandIsTakenAsASeparateWordOnly) {
+TEST(FirstUse, ACommandMustBeASeparateArgument) {
     const Folder folder;
     const std::string ran = folder.file("ran");
     for (const auto& [verb, option] : {std::pair("check", "--engine-command"), std::pair("test", "--against")}) {

@@ -230,11 +230,11 @@ TEST(Abc, WrongResultOfTheProgramIsRejected) {
     const std::string names = "printf '.i 1\\n.o 1\\n.ilb l0\\n.ob inv\\n";
     for (const Lie& lie : {
              Lie{"never L", "case \"$2\" in *pdr*) " + names + ".e\\n' > invariant.pla;; esac",
-                 "engine-disagrees: the invariant for `P` is invalid: it does not exclude the bad states"},
+                 "engine-disagrees: the invariant for `P` is invalid: the invariant does not exclude the bad states"},
              {"never L && M", "case \"$2\" in *pdr*) " + names + "1 1\\n.e\\n' > invariant.pla;; esac",
               "engine-disagrees: the invariant for `P` is invalid: "},
              {"never L && M", "case \"$2\" in *pdr*) " + names + "0 1\\n.e\\n' > invariant.pla;; esac",
-              "engine-disagrees: the invariant for `P` is invalid: it excludes an initial state"},
+              "engine-disagrees: the invariant for `P` is invalid: the invariant excludes an initial state"},
              {"never L && M", "case \"$2\" in *pdr*) " + names + "1 1\\n' > invariant.pla;; esac",
               "engine-disagrees: the program printed no invariant for its verdict"},
              {"never L && M", "case \"$2\" in *pdr*) printf '.ilb l9999999\\n.e\\n' > invariant.pla;; esac",

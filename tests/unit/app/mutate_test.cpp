@@ -160,8 +160,8 @@ TEST(Mutate, AStateFileIsAFileOfItsRunsAndNoOther) {
     EXPECT_TRUE(has(error_of({"--state", file}), "[output-is-input]"));
     EXPECT_TRUE(has(error_of({"--state", notes}), "`" + notes + "` exists and is not a state file"));
     EXPECT_TRUE(has(error_of({"--state", notes, "-o", notes}), "[output-twice]"));
-    EXPECT_TRUE(has(error_of({"--state", "/dev/full"}), "it is a device, not a file"));
-    EXPECT_TRUE(has(error_of({"--state", folder.file("")}), "it is a folder"));
+    EXPECT_TRUE(has(error_of({"--state", "/dev/full"}), "the path is a device, not a file"));
+    EXPECT_TRUE(has(error_of({"--state", folder.file("")}), "the path is a folder"));
     EXPECT_TRUE(has(error_of({"--state", folder.file("no/state")}), "[missing-folder]"));
     EXPECT_EQ(folder.read("gate.grafcet"), gate);
     EXPECT_EQ(folder.read("notes"), "precious\n");

@@ -503,7 +503,7 @@ TEST(Paths, InputsAreRegularFilesAndPipesNeverBlock) {
         words.push_back(pipe);
         const Result result = grafverif(words);
         EXPECT_EQ(result.code, ExitCode::Input);
-        EXPECT_NE(result.err.find("it is a pipe, not a file"), std::string::npos) << result.err;
+        EXPECT_NE(result.err.find("the path is a pipe, not a file"), std::string::npos) << result.err;
         ++refused;
     });
     EXPECT_GE(refused, 5U);

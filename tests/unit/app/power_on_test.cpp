@@ -131,14 +131,14 @@ TEST(Untimely, RunThatNoClockProducesIsMarked) {
             std::string("grafcet g { input a; initial step 0; step 1; transition t0: 0 -> 1 when ") + condition +
                 "; }\nclosed_loop w { controller g; environment A = push_button(OUT = a); property p: never X1; }\n");
     };
-    const std::string note = "note: no plant has this run: 5s/X0 has expired in it, but 3s/X0 has not";
+    const std::string note = "note: no plant permits this run: 5s/X0 has expired in the run, but 3s/X0 has not";
     for (const Words& model :
          {Words{"--untimed"}, {"--untimed", "--plant", "automata"}, {"--untimed", "--schedule", "synchronous"}}) {
         const Result early = grafverif(Words{"check", file("5s/X0 && !(3s/X0)")} + model);
         EXPECT_EQ(early.code, ExitCode::Verdict) << early.err;
         EXPECT_NE(early.out.find(note), std::string::npos) << early.out;
         const Result late = grafverif(Words{"check", file("5s/X0 && 3s/X0")} + model);
-        EXPECT_EQ(late.out.find("no plant has"), std::string::npos) << late.out;
+        EXPECT_EQ(late.out.find("no plant permits"), std::string::npos) << late.out;
     }
     EXPECT_EQ(grafverif({"check", file("5s/X0 && !(3s/X0)"), "--time", "discrete", "--untimed"}).code, ExitCode::Done);
 }

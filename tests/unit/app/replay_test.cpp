@@ -255,7 +255,7 @@ TEST(Replay, FindsTheOffsetOfAClock) {
     const Result small = replayed(skewed, {"--skew", "PUMP,HORN,LEVEL=100ms"});
     EXPECT_TRUE(deviates(small,
                          "  No admissible timing explains the recording with any clock offset within the bounds."
-                         " The timing that explains most of it:\n"));
+                         " The timing that explains most of the recording:\n"));
     EXPECT_NE(small.out.find("  clock offset of `PUMP`, `HORN`, `LEVEL`: "), std::string::npos) << small.out;
 }
 

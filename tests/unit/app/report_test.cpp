@@ -58,7 +58,7 @@ TEST(Report, RejectsATestSequenceForAProgram) {
     const Result result = grafverif({"report", file, "--sequence", folder.write("test.csv", "step,a,q\n1,0,0\n")});
     EXPECT_EQ(result.code, ExitCode::Input);
     EXPECT_EQ(result.out, "");
-    EXPECT_NE(result.err.find("`--sequence` gives a test of a chart; omit `--sequence` [only-for-charts]"),
+    EXPECT_NE(result.err.find("`--sequence` applies only to charts; omit `--sequence` [only-for-charts]"),
               std::string::npos)
         << result.err;
 }

@@ -68,7 +68,8 @@ TEST(Commands, AreReadLineByLine) {
              {"expect N >=",
               BadCommand{"the comparison `N >=` has no valid value; write a whole number, `true` or `false`"}},
              {"expect not N >= 3",
-              BadCommand{"`not` before the comparison `N >=`; remove `not` and use the opposite comparison"}},
+              BadCommand{
+                  "`not` is not allowed before the comparison `N >=`; remove `not` and use the opposite comparison"}},
              {"expect within X3",
               BadCommand{
                   "`expect within` requires a duration and a condition; write for example `expect within 3s X3`"}},
@@ -145,7 +146,7 @@ TEST(Simulate, StopsAScriptAtItsFirstCommandThatCannotBeExecuted) {
              {"do Lamp lit\n", ":1: error: `Lamp` cannot move to `lit` now\n"},
              {"7\n", ":1: error: no choice is available; let time pass with `wait`\n"},
              {"wait 1s\nback\nback\n", ":3: error: there is no command to undo\n"},
-             {"wait\nwait\n", ":2: error: nothing changes as time passes; give `wait` a duration\n"},
+             {"wait\nwait\n", ":2: error: nothing changes as time passes; write `wait` with a duration\n"},
          }) {
         SCOPED_TRACE(c.script);
         const std::string script = folder.write("script.txt", c.script);
@@ -448,7 +449,7 @@ TEST(SimulateChart, RejectsInvalidInputsAndUndoesTheLastCommand) {
              {"do Press\n",
               ":1: error: a chart alone has no plant, so `Press` is not available; set inputs with `NAME = VALUE`\n"},
              {"back\n", ":1: error: there is no command to undo\n"},
-             {"wait\n", ":1: error: nothing changes as time passes; give `wait` a duration\n"},
+             {"wait\n", ":1: error: nothing changes as time passes; write `wait` with a duration\n"},
              {"UP = true\nGO = true\nback\nGO = false\n", ":4: error: `GO` already has this value\n"},
          }) {
         SCOPED_TRACE(c.script);

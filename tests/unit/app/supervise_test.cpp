@@ -83,7 +83,7 @@ const std::string heater =
     "    plant Switch = never_on(B = b);\n    property safe: never Oven in burnt;\n"
     "    property cools: inevitable b;\n    property burns expected violated: never X1;\n}\n";
 
-TEST(Supervise, ConditionsExcludeSomething) {
+TEST(Supervise, ReportsActionsThatConditionsDisable) {
     const Folder folder;
     const Result made = grafverif({"supervise", folder.write("heater.grafcet", heater)});
     ASSERT_EQ(made.code, ExitCode::Done) << made.out << made.err;

@@ -335,7 +335,7 @@ TEST(Models, PropertyThatNeedsMoreThan32BitsIsOmittedAndDecidedByEmbeddedEngines
         EXPECT_NE(made.err.find("counter.grafcet:6:10: warning: property `small` is omitted from the "),
                   std::string::npos)
             << made.err;
-        EXPECT_NE(made.err.find("model; it may need integers of more than 32 bits [not-expressible]"),
+        EXPECT_NE(made.err.find("model; the property may need integers of more than 32 bits [not-expressible]"),
                   std::string::npos);
         EXPECT_EQ(made.out.find("500000000"), std::string::npos);
         EXPECT_NE(made.out.find("one"), std::string::npos);

@@ -97,9 +97,11 @@ TEST(Decomposition, EachVerdictNamesItsOmittedParts) {
     EXPECT_EQ(scope.searched, std::vector<std::string>{"lamp"});
     EXPECT_EQ(scope.left_out, (std::vector<std::string>{"other", "third"}));
     EXPECT_EQ(scope.because,
-              "shares only time with it, has no timelock and makes only finitely many moves within one instant");
-    EXPECT_EQ(verdict(result, "seen").scope.because, "shares only time with it and can let time pass forever");
-    EXPECT_EQ(verdict(result, "one").scope.because, "shares only time with it and adds no state");
+              "shares only time with the checked sub-loops, has no timelock and makes only finitely many moves within "
+              "one instant");
+    EXPECT_EQ(verdict(result, "seen").scope.because,
+              "shares only time with the checked sub-loops and can let time pass forever");
+    EXPECT_EQ(verdict(result, "one").scope.because, "shares only time with the checked sub-loops and adds no state");
     EXPECT_EQ(verdict(result, "no_timelock").scope.searched, (std::vector<std::string>{"lamp", "other", "third"}));
 }
 

@@ -444,7 +444,7 @@ TEST(InputAbstraction, ExaminesAnInstanceJointlyWithTheChosenInstancesThatItRead
     EXPECT_EQ(joint_groups(instances, levels).size(), 2U) << "the values of the tank are in the run if it is stored";
 }
 
-TEST(InputAbstraction, IgnoresWhatQuiescenceSaysOfOmittedInstances) {
+TEST(InputAbstraction, IgnoresQuiescenceOfOmittedInstances) {
     const std::string text = two_followers("never Q && X1 at stable");
     EXPECT_EQ(decided(text).outcome, Outcome::Violated);
     EXPECT_EQ(decided(text, {.explored = 0, .rounds = 1, .coarse_rounds = 1}, {.keep_quiescence = true}).outcome,

@@ -125,7 +125,7 @@ TEST(Localization, LocalizationLeavesTimeForTheCompleteSearchAndIsMentionedIfTha
     EXPECT_EQ(deadlines, (std::vector<Deadline>{options.deadline, options.deadline}));
     const Verdict& verdict = grafverif::verdict(found, "never_there");
     EXPECT_EQ(verdict.obstacle, UnknownReason::Stopped);
-    EXPECT_EQ(verdict.reason, "stopped after 4 states; localization explored 14 states before");
+    EXPECT_EQ(verdict.reason, "stopped after 4 states; localization explored 14 states before this search");
 }
 
 TEST(Localization, InvariantOfANeighbourExcludesItsViolation) {

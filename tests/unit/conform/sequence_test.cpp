@@ -242,7 +242,7 @@ TEST(TestSequence, ExpectsNoOutputWhoseInputsAConstraintExcludes) {
     EXPECT_EQ(disagreement(chart(text), test), std::nullopt);
 }
 
-TEST(TestSequence, ThatExpectsSomethingElseDoesNotPassOnTheInterpreter) {
+TEST(TestSequence, WithWrongExpectedOutputFailsOnTheInterpreter) {
     TestSequence test = test_of(machine(automaton(tanks())));
     test.sequences[0].steps[17].outputs[1] ^= 1;
     const auto wrong = disagreement(chart(tanks()), test);

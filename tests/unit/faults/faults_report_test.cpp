@@ -32,7 +32,7 @@ TEST(FaultsReport, TextStatesWhatIsUnknown) {
     std::ostringstream out;
     print_faults(analysis(), false, out);
     const std::string text = out.str();
-    for (const char* const part : {"p            _A + B (minimality is unproved: _A, B have the verdict unknown)\n",
+    for (const char* const part : {"p            _A + B (minimality is unproved: _A, B have an unknown verdict)\n",
                                    "q            violated without faults\n", "no_timelock  unknown without faults\n",
                                    "p: unknown for 2 combinations\n    _A: stopped\n"})
         EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;
@@ -106,7 +106,7 @@ TEST(FaultsReport, AFaultTreeStatesWhatItOmits) {
     for (const char* const part :
          {"<!-- only combinations of at most 2 faults -->\n", "<!-- omitted: q is violated without faults -->\n",
           "<!-- omitted: no_timelock is unknown without faults -->\n", "<!-- incomplete: p is unknown for _A, B -->\n",
-          "<!-- _A + B: minimality is unproved: _A, B have the verdict unknown -->\n",
+          "<!-- _A + B: minimality is unproved: _A, B have an unknown verdict -->\n",
           "<!-- not monotone: _A + B leads to a violation of p, _A + B + C does not -->\n",
           "<label>_A:  behaves as </label>"})
         EXPECT_NE(xml.find(part), std::string::npos) << part << '\n' << xml;

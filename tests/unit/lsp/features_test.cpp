@@ -210,8 +210,8 @@ TEST(LspNames, AreRenamedInATextWithErrorsIfTheirMeaningIsKnown) {
     // The value that is assigned to an input is not resolved.
     const std::string hidden = with(text, "{ MOVE; }", "{ MOVE; CLOSED := MOVE on activation; }");
     EXPECT_EQ(editor.obstacle("all.grafcet", with(hidden, "output MOVE", "output MO@VE"), "LIFT"),
-              "the errors of `" + editor.folder.file("all.grafcet") +
-                  "` hide the meaning of an occurrence of `MOVE`; correct the errors first");
+              "because of the errors of `" + editor.folder.file("all.grafcet") +
+                  "`, the meaning of an occurrence of `MOVE` is unknown; correct the errors first");
 }
 
 TEST(LspNames, OfALoopThatDoesNotIncludeItsChartLeadToTheChart) {

@@ -38,8 +38,8 @@ TEST(LspProofs, ReportViolationsWithTheirSteps) {
     EXPECT_EQ(client.diagnostics(address), Json::array());
     const Json document = {{"textDocument", {{"uri", address}}}};
     EXPECT_EQ(titles(client.result("textDocument/codeLens", document)),
-              (std::vector<std::string>{"check", "draw", "simulate", "check", "simulate", "not checked: check",
-                                        "not checked: check", "not checked: check"}));
+              (std::vector<std::string>{"check", "draw", "simulate", "check", "simulate", "not checked; check now",
+                                        "not checked; check now", "not checked; check now"}));
     client.notify("textDocument/didSave", document);
     const Json published = client.next("textDocument/publishDiagnostics", [](const Json& params) {
         return !params["diagnostics"].empty();
@@ -64,7 +64,7 @@ TEST(LspProofs, ReportViolationsWithTheirSteps) {
     // A change discards all results.
     client.retype(address, 2, blinking + "\n");
     EXPECT_EQ(client.diagnostics(address, 2), Json::array());
-    EXPECT_EQ(titles(client.result("textDocument/codeLens", document)).back(), "not checked: check");
+    EXPECT_EQ(titles(client.result("textDocument/codeLens", document)).back(), "not checked; check now");
 }
 
 TEST(LspProofs, AgreeWithCheck) {

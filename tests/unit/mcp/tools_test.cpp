@@ -342,9 +342,9 @@ TEST(McpTools, RejectsFilesThatAreNotRegular) {
     ASSERT_EQ(::mkfifo(server.folder.file("inside/pipe").c_str(), 0600), 0);
     server.folder.write("inside/-x.grafcet", lamp);
     server.folder.write("inside/--help", lamp);
-    EXPECT_TRUE(has(server.failure("check", {{"file", "pipe"}}), "it is a pipe, not a file"));
-    EXPECT_TRUE(has(server.failure("read", {{"file", "pipe"}}), "it is a pipe, not a file"));
-    EXPECT_TRUE(has(server.failure("check", {{"file", "sub"}}), "it is a folder"));
+    EXPECT_TRUE(has(server.failure("check", {{"file", "pipe"}}), "the path is a pipe, not a file"));
+    EXPECT_TRUE(has(server.failure("read", {{"file", "pipe"}}), "the path is a pipe, not a file"));
+    EXPECT_TRUE(has(server.failure("check", {{"file", "sub"}}), "the path is a folder"));
     EXPECT_TRUE(has(server.failure("check", {{"file", "none.grafcet"}}), "no such file"));
     EXPECT_TRUE(has(server.failure("check", {{"file", "-"}}), "no such file"));
     EXPECT_FALSE(server.failure("check", {{"file", std::string(4000, 'a')}}).empty());

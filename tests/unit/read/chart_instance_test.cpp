@@ -394,9 +394,13 @@ TEST(ChartInstances, RejectsPartialChartsInPartialCharts) {
         "grafcet h { input A; output C; partial Q = g(A = A, C = C); }\n"
         "grafcet k { input A; output C; partial R = k(A = A, C = C); }\n");
     EXPECT_FALSE(reading.model);
-    EXPECT_NE(reading.rendered.find("main.grafcet:2:44: error: `g` contains partial charts"), std::string::npos)
+    EXPECT_NE(reading.rendered.find("main.grafcet:2:44: error: an instance of `g` cannot be a partial chart"),
+              std::string::npos)
         << reading.rendered;
-    EXPECT_NE(reading.rendered.find("`k` contains partial charts"), std::string::npos) << reading.rendered;
+    EXPECT_NE(
+        reading.rendered.find("an instance of `k` cannot be a partial chart, because `k` contains partial charts"),
+        std::string::npos)
+        << reading.rendered;
 }
 
 TEST(ChartInstances, AreLimited) {

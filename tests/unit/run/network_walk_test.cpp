@@ -33,7 +33,7 @@ TEST(NetworkWalk, TimeStopsWhileAnUrgentEdgeIsEnabled) {
     EXPECT_FALSE(impatient(loop.network, start).empty());
 }
 
-TEST(NetworkWalk, AnInvariantLimitsHowFarTimeGoes) {
+TEST(NetworkWalk, AnInvariantLimitsTheDelay) {
     const LoopUnderTest loop = read_loop(valve_loop);
     NetworkState state = rested(loop.network, initial_state(loop.network));
     const std::int64_t travel = 3000 / loop.network.time_unit_ms;

@@ -81,7 +81,7 @@ TEST(ScheduleControllers, OmitsPropertiesThatNeedThePlantWithAReason) {
         {"property P: no deadlock;",
          "the transition relation of this model is total, even if the closed loop can deadlock"},
         {"property P: no timelock;", "this model has no time"},
-        {"property P: uppaal \"A[] true\";", "it is a formula for UPPAAL"},
+        {"property P: uppaal \"A[] true\";", "UPPAAL formulas require UPPAAL"},
     };
     for (const Case& one : cases) {
         SCOPED_TRACE(one.property);

@@ -196,7 +196,7 @@ closed_loop line {
 }
 
 /// Both charts have an internal variable `n`. The replay resolves each name in its own chart.
-TEST(Schedules, VariablesOfSeveralControllersGoByTheNamesOfTheirCharts) {
+TEST(Schedules, VariablesOfSeveralControllersHaveTheNamesDeclaredInTheirCharts) {
     const std::string text = R"(
 grafcet first {
     input go;

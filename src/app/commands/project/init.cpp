@@ -40,7 +40,7 @@ closed_loop NAME {
     plant Slide = NAME_slide(FORWARD = FORWARD, AT_FRONT = AT_FRONT, AT_BACK = AT_BACK);
     environment Start = push_button(OUT = START);
 
-    property rests "nothing is driven at rest": never X0 && FORWARD at stable;
+    property rests "the slide is not driven at rest": never X0 && FORWARD at stable;
     property arrives "a driven slide arrives at the front": X1 leads to AT_FRONT;
     property returns "a slide at the front returns": AT_FRONT leads to AT_BACK;
     property all_steps: reachable all steps;

@@ -86,7 +86,7 @@ TEST(LegalNames, GiveEntitiesWithEqualNamesDifferentNames) {
     EXPECT_EQ(legal_names(Target::Uppaal, Names{"free", "free", "free"}), (Names{"free", "free_", "free_2"}));
 }
 
-TEST(LegalNames, StayClearOfNamesTaken) {
+TEST(LegalNames, AvoidNamesInUse) {
     EXPECT_EQ(legal_names(Target::Uppaal, Names{"W", "P0"}, {"W", "W_"}), (Names{"W_2", "P0"}));
 }
 
