@@ -26,9 +26,13 @@ struct CertificateSummary {
     struct Omitted {
         std::string property = {}, reason = {};
     };
-    std::string folder = {};                  ///< the folder of the files
-    std::vector<std::string> certified = {};  ///< names of the properties whose verdicts the files prove
-    std::vector<CertificateKind> kinds = {};  ///< for each element of `certified`
+    /// A property whose verdict the files prove.
+    struct Certified {
+        std::string property = {};
+        CertificateKind kind = CertificateKind::States;
+    };
+    std::string folder = {};  ///< the folder of the files
+    std::vector<Certified> certified = {};
     std::vector<Omitted> omitted = {};
 };
 

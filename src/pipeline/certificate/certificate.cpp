@@ -70,18 +70,18 @@ public:
             claims_ += fmt::format("{} {}\n", word(found->outcome), certificate::word_of(found->property));
             if (found->run) claims_ += certificate::run_text(flat_, *found->run);
             else needs_states = true;
-            certificate_.certified.push_back(found->property);
-            certificate_.kinds.push_back(found->run ? CertificateKind::Run : CertificateKind::States);
+            certificate_.summary.certified.push_back(
+                {found->property, found->run ? CertificateKind::Run : CertificateKind::States});
         }
         std::string network = certificate::network_text(flat_, properties);
         std::string index = fmt::format("grafverif-certificate 1\nnetwork {}\n", certificate::checksum(network));
         if (needs_states) index += fmt::format("states {}\n", certificate::checksum(states));
         std::string omitted;
-        for (const Certificate::Omitted& one : omitted_)
+        for (const CertificateSummary::Omitted& one : omitted_)
             omitted += fmt::format("omitted {} {}\n", certificate::word_of(one.property), one.reason);
         index += claims_ + omitted + more;
         index += fmt::format("checksum {}\n", certificate::checksum(index));
-        certificate_.omitted.insert(certificate_.omitted.end(), omitted_.begin(), omitted_.end());
+        certificate_.summary.omitted.insert(certificate_.summary.omitted.end(), omitted_.begin(), omitted_.end());
         if (claims_.empty() && !folder_.empty()) return omitted;
         certificate_.files.push_back({path("network.txt"), std::move(network)});
         if (needs_states) certificate_.files.push_back({path("states.txt"), std::move(states)});
@@ -115,7 +115,7 @@ private:
     std::string folder_;
     Certificate& certificate_;
     std::string claims_ = {};
-    std::vector<Certificate::Omitted> omitted_ = {};
+    std::vector<CertificateSummary::Omitted> omitted_ = {};
 };
 
 }  // namespace
