@@ -9,12 +9,15 @@
 
 namespace grafverif {
 
-/// What proves a verdict. WitnessCircuit: the circuit of an inductive invariant of an untimed model.
-enum class CertificateKind : std::uint8_t { States, Run, WitnessCircuit };
+/// What proves a verdict. Fragment, Subsystems: states of a fragment, or of each independent subsystem, of the network.
+/// WitnessCircuit: the circuit of an inductive invariant of an untimed model.
+enum class CertificateKind : std::uint8_t { States, Fragment, Subsystems, Run, WitnessCircuit };
 
 constexpr std::string_view word(CertificateKind kind) {
     switch (kind) {
     case CertificateKind::States: return "set of states";
+    case CertificateKind::Fragment: return "set of states of a fragment";
+    case CertificateKind::Subsystems: return "sets of states of subsystems";
     case CertificateKind::Run: return "run";
     case CertificateKind::WitnessCircuit: break;
     }

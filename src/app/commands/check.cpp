@@ -96,7 +96,8 @@ void note_certificate(const Decided& decided, CommandContext& job, const Streams
                                                 "(NAME.*.lrat), and runs (NAME.cex) with an AIGER simulator";
     streams.out << fmt::format("certificate: {} of {} verdicts; check it with {}\n", certificate.certified.size(),
                                certificate.certified.size() + certificate.omitted.size(), checker);
-    for (const CertificateKind kind : {CertificateKind::States, CertificateKind::Run, CertificateKind::WitnessCircuit})
+    for (const CertificateKind kind : {CertificateKind::States, CertificateKind::Fragment, CertificateKind::Subsystems,
+                                       CertificateKind::Run, CertificateKind::WitnessCircuit})
         if (const std::string text = proved_text(certificate, kind); !text.empty()) streams.out << "  " << text << '\n';
     for (const CertificateSummary::Omitted& one : certificate.omitted)
         streams.out << fmt::format("  {} is not certified: {}\n", one.property, one.reason);
