@@ -232,7 +232,7 @@ constexpr const char* pair =
     "edge 0 1 A\nreset x\nedge 1 0 urgent B\nset A 0\nprocess q 2 0\nedge 0 1 1\nset B 1\nedge 1 0 1\nset B 0\n"
     "property off never A\nproperty on always (= @q 0)\nproperty lives no-deadlock\n";
 
-TEST(Certify, ChecksFragmentsByItself) {
+TEST(Certify, ComputesTheMovesOfFragments) {
     const Folder folder;
     const auto check = [&](const std::string& states, const std::string& claims) {
         fs::create_directories(folder.file("f"));
