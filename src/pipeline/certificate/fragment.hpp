@@ -30,7 +30,7 @@ FragmentContent complete_content(const Network& flat);
 
 struct FragmentLimits {
     std::uint64_t states = std::uint64_t{1} << 20U;
-    std::uint64_t attempts = std::uint64_t{1} << 26U;  ///< number of attempted moves
+    std::uint64_t attempts = std::uint64_t{1} << 23U;  ///< number of attempted moves
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;
 };
