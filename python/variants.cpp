@@ -73,10 +73,12 @@ std::optional<CertificateFiles> certify(const Model& model, Id<ClosedLoop> loop,
     if (!network) return {};
     Certificate certificate = certificate_of(loop_to_check(model, loop, *network), report, options);
     report.failures.insert(report.failures.end(), certificate.failures.begin(), certificate.failures.end());
-    CertificateFiles made{{}, std::move(certificate.certified), {}};
+    CertificateFiles made;
+    for (CertificateSummary::Certified& one : certificate.summary.certified)
+        made.certified.push_back(std::move(one.property));
     for (Certificate::File& file : certificate.files)
         made.files.emplace_back(std::move(file.path), std::move(file.content));
-    for (Certificate::Omitted& one : certificate.omitted)
+    for (CertificateSummary::Omitted& one : certificate.summary.omitted)
         made.omitted.emplace_back(std::move(one.property), std::move(one.reason));
     return made;
 }

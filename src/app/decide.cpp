@@ -38,38 +38,26 @@ std::optional<Report> timed_report(const Model& model, Id<ClosedLoop> id, Comman
                                                   : check(loop, options);
 }
 
-/// Decides the properties by PDR. If a certificate is requested, it contains the witness circuits of the invariants.
-Report certified_by_pdr(const SystemToCheck& system, const CommandContext& job, const CheckOptions& options,
+/// Decides the properties by PDR or BMC. If a certificate is requested, it contains the witness circuits of the
+/// invariants, and the runs.
+Report certified_states(const SystemToCheck& system, StateSearch search, const CheckOptions& options,
                         std::optional<Certificate>& certificate) {
-    StateSearch search;
-    if (!job.options.certificate) return check_states(system, options, search);
-    certificate.emplace();
+    if (!certificate) return check_states(system, options, search);
     pdr::SolverLimits limits{.deadline = options.limits.deadline, .stop = options.limits.stop};
     limits.memory = options.limits.memory.value_or(limits.memory);
     search.proved = [&](const auto&... invariant) { add_witness(invariant..., limits, *certificate); };
+    search.shown = [&](const auto&... run) { add_run(run..., *certificate); };
     return check_states(system, options, search);
 }
 
-/// Adds each verdict that no invariant of PDR proves to the list of omitted verdicts in the certificate.
-void note_omitted(const Report& report, Certificate& certificate) {
-    for (const PropertyResult& answer : report.answers)
-        if (const std::string& name = answer.verdict.property;
-            std::ranges::find(certificate.certified, name) == certificate.certified.end() &&
-            std::ranges::find(certificate.omitted, name, &Certificate::Omitted::property) == certificate.omitted.end())
-            certificate.omitted.push_back({name, answer.verdict.outcome == Outcome::Unknown
-                                                     ? "the verdict is unknown"
-                                                     : "no invariant of PDR proves the verdict"});
-}
-
-/// Decides the properties of a transition system with the selected engine; the default is the portfolio. `certificate`
-/// receives the invariants of PDR.
-std::optional<Report> system_report(const SystemToCheck& system, CommandContext& job, const CheckOptions& options,
+/// Decides the properties of a transition system with the selected engine; the default is the portfolio.
+std::optional<Report> engine_report(const SystemToCheck& system, CommandContext& job, const CheckOptions& options,
                                     std::optional<Certificate>& certificate) {
     switch (job.options.engine) {
     case Engine::Embedded:
     case Engine::Auto: return check_together(system, options);
-    case Engine::Pdr: return certified_by_pdr(system, job, options, certificate);
-    case Engine::Bmc: return check_states(system, options, bounded_search(job.options.max_steps));
+    case Engine::Pdr: return certified_states(system, {}, options, certificate);
+    case Engine::Bmc: return certified_states(system, bounded_search(job.options.max_steps), options, certificate);
     case Engine::Abc: return check_by_abc(system, options, job.diagnostics);
     case Engine::Hwmcc: return check_by_command(system, job.options.engine_command, options);
     case Engine::Nusmv: return check_by_nusmv(system, "NuSMV", options, job.diagnostics);
@@ -79,6 +67,25 @@ std::optional<Report> system_report(const SystemToCheck& system, CommandContext&
     case Engine::Verifyta: break;
     }
     return check(system, options);
+}
+
+/// The same, with the requested certificate.
+std::optional<Report> system_report(const SystemToCheck& system, CommandContext& job, const CheckOptions& options,
+                                    std::optional<Certificate>& certificate) {
+    if (job.options.certificate) certificate.emplace();
+    std::optional<Report> report = engine_report(system, job, options, certificate);
+    if (report && certificate) certify_again(system, *report, options, *certificate);
+    return report;
+}
+
+/// Adds verdicts that do not concern the transition system to the omitted verdicts of the certificate.
+void note_omitted(const Report& report, CertificateSummary& summary) {
+    for (const PropertyResult& answer : report.answers)
+        if (const std::string& name = answer.verdict.property;
+            std::ranges::find(summary.certified, name, &CertificateSummary::Certified::property) ==
+                summary.certified.end() &&
+            std::ranges::find(summary.omitted, name, &CertificateSummary::Omitted::property) == summary.omitted.end())
+            summary.omitted.push_back({name, "the circuit does not contain the property"});
 }
 
 std::optional<Report> untimed_report(const Model& model, Id<ClosedLoop> id, CommandContext& job,
@@ -187,11 +194,7 @@ std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceL
                         << "` is not part of a closed loop: the reachability of its steps is checked in the untimed "
                            "model, with free inputs"
                         << (job.options.stats ? "; --stats applies only to timed checks" : "")
-                        << (job.options.why ? "; --why applies only to closed loops" : "")
-                        << (job.options.certificate && job.options.engine != Engine::Pdr
-                                ? "; --certificate requires --engine pdr for charts"
-                                : "")
-                        << '\n';
+                        << (job.options.why ? "; --why applies only to closed loops" : "") << '\n';
         decided.chart = *chart;
         found = chart_report(model, *chart, job, options, decided.certificate);
     } else if (const auto loop = chosen_loop(model, job)) {
@@ -204,9 +207,9 @@ std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceL
     if (!keep_requested(job.options.properties, *found, job.diagnostics)) return {};
     decided.report = std::move(*found);
     if (decided.certificate) {
-        note_omitted(decided.report, *decided.certificate);
         std::vector<std::string>& failures = decided.report.failures;
         failures.insert(failures.end(), decided.certificate->failures.begin(), decided.certificate->failures.end());
+        note_omitted(decided.report, decided.certificate->summary);
     }
     const auto used = std::chrono::steady_clock::now() - begin;
     try_remedies(model, job, bounds, options, end_of_trials(deadline, reserved, used), decided);
@@ -215,15 +218,10 @@ std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceL
         decided.why = why_it_holds(model, decided.loop, model_options(job.options), options, decided.report);
     if (decided.why) name_places(*decided.why, job.sources);
     if (job.options.certificate && decided.timed) add_certificate(model, job, options, decided);
+    if (decided.certificate) decided.certificate->summary.folder = *job.options.certificate;
     name_places(decided.report, job.sources);
     add_stop_cause(decided.report, bounds.interrupted(), job.options);
     return decided;
-}
-
-std::optional<CertificateSummary> certificate_summary(const Decided& decided, const Options& options) {
-    if (!decided.certificate) return {};
-    const Certificate& certificate = *decided.certificate;
-    return CertificateSummary{*options.certificate, certificate.certified, certificate.kinds, certificate.omitted};
 }
 
 std::optional<std::pair<Model, Decided>> decide_program(CommandContext& job, ResourceLimits& bounds, bool witnesses) {

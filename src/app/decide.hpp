@@ -24,9 +24,6 @@ struct Decided {
     std::optional<ProofExplanation> why = {};     ///< proof explanation of a loop, if requested
 };
 
-/// Returns the verdicts that the certificate of `decided` proves; nothing without a certificate.
-std::optional<CertificateSummary> certificate_summary(const Decided& decided, const Options& options);
-
 /// Decides the properties. Returns nothing after an error. If `witnesses` is true, runs of properties that hold are
 /// also returned. For a chart without a loop, a note is first written to `streams`.
 std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceLimits& bounds, bool witnesses,

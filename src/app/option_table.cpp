@@ -329,7 +329,7 @@ std::vector<Option> options_for_checks() {
              "check each FILE operand as a PLC program (Structured Text, PLCopen XML) against the properties in this "
              "YAML file"),
         text(OptionGroup::Verdicts, "certificate", "DIR", &Options::certificate,
-             "write a certificate of the verdicts into DIR (engines timed and pdr; see `grafverif-certify`)"),
+             "write a certificate of the verdicts into DIR, which other programs check (see `grafverif-certify`)"),
         text(OptionGroup::Verdicts, "report", "FILE", &Options::page,
              "write an HTML report to FILE, as `report` does, with the type of certificate of each verdict"),
         toggle(OptionGroup::Verdicts, "why", &Options::why,

@@ -97,7 +97,7 @@ std::optional<PageContent> verdict_content(const Model& model, const Decided& de
     if (!content) return {};
     for (ChartContent& one : content->charts)
         one.analysis.obstacle = with_who_stopped(std::move(one.analysis.obstacle), bounds.interrupted(), job.options);
-    content->certificate = certificate_summary(decided, job.options);
+    if (decided.certificate) content->certificate = decided.certificate->summary;
     return content;
 }
 

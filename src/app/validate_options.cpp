@@ -80,8 +80,6 @@ std::string validate_outputs(const CliCommand& verb, const Options& options) {
     if (options.certificate && (options.property_file || options.list))
         return "`--certificate` applies only to checks of closed loops and charts; remove it, or remove `--properties` "
                "and `--list`";
-    if (options.certificate && options.check_untimed && options.engine != Engine::Pdr)
-        return "for untimed models, only PDR writes certificates; pass `--engine pdr`, or remove `--certificate`";
     const bool one_form = options.format == Format::Json || options.trace_vcd || options.trace_svg ||
                           options.certificate || options.page ||
                           (options.output && !accepts(verb, OptionGroup::OutputDirectory));

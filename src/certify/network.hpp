@@ -13,16 +13,19 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace certify {
 
 using Int = std::int64_t;
+using Index = std::size_t;
 using State = std::vector<Int>;  // in the order of declaration: values of variables, locations of processes, clocks
 
 inline constexpr Int greatest_clock = Int{1} << 60;
-inline constexpr std::size_t most_nesting = 500, most_depth = 5000;
+inline constexpr Int unknown = INT64_MIN;  // in State: the state of a fragment does not contain this value
+inline constexpr Index most_nesting = 500, most_depth = 5000, most_choices = 1'000'000;
 
 /// Thrown if the files are well-formed but do not prove the claims; the exit code is 1.
 using Rejected = std::domain_error;
@@ -33,44 +36,38 @@ struct NoValue {};
 [[noreturn]] inline void malformed(const std::string& problem) { throw std::runtime_error(problem); }
 
 inline std::string content_of(const std::filesystem::path& path) {
-    if (std::error_code failure; !std::filesystem::is_regular_file(path, failure))
-        malformed(path.string() + ": no such file");
     std::ifstream file(path, std::ios::binary);
+    if (!file) malformed(path.string() + ": no such file");
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-/// Returns FNV-1a, 64 bits, as hexadecimal digits. The checksum detects damaged and exchanged files, but not deliberate
-/// changes.
+/// Returns FNV-1a, 64 bits, as a number. It detects damage and mixed-up files, not deliberate changes.
 inline std::string checksum(std::string_view text) {
     std::uint64_t hash = 0xcbf29ce484222325;
     for (const char byte : text) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
-    std::string digits;
-    for (int shift = 60; shift >= 0; shift -= 4) digits += "0123456789abcdef"[hash >> shift & 15U];
-    return digits;
+    return std::to_string(hash);
 }
 
 /// Reads a text line by line and word by word. Each parenthesis is a word.
-class Words {
-public:
+struct Words {
     Words(std::string name, std::string_view text) : name_(std::move(name)), rest_(text) {}
 
     bool next_line() {
-        if (!at_end()) unexpected(word());
+        // A terminal executes a control character, of ASCII or of UTF-8 (after 0xc2), when a name is printed.
+        const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f' || c == '\xc2'; };
+        if (!at_end()) fail("unexpected `" + std::string(word()) + "`");
         if (rest_.empty()) return false;
-        const std::size_t end = rest_.find('\n');
+        const Index end = rest_.find('\n');
         if (end == std::string_view::npos) fail("the last line is incomplete");
         line_ = rest_.substr(0, end);
         rest_.remove_prefix(end + 1);
         ++number_;
-        // Control characters (of ASCII, or of UTF-8 after the byte 0xc2) are rejected, because a terminal would execute
-        // them when a name is printed.
-        for (unsigned char previous = ' '; const char c : line_) {
-            const auto byte = static_cast<unsigned char>(c);
-            if (byte < 0x20 || byte == 0x7f || (byte >= 0x80 && byte < 0xa0 && (previous < 0x80 || previous == 0xc2)))
-                fail("the line contains a control character");
-            previous = byte;
-        }
+        if (std::ranges::any_of(line_, is_control)) fail("the line contains a control character");
         return true;
+    }
+    /// Reads the first line: the kind and the version of the file.
+    void header(std::string_view kind) {
+        if (!next_line() || !skip(kind) || number() != 2) fail("expected `" + std::string(kind) + " 2`");
     }
     bool at_end() {
         line_.remove_prefix(std::min(line_.find_first_not_of(' '), line_.size()));
@@ -83,14 +80,15 @@ public:
         line_.remove_prefix(found.size());
         return found;
     }
-    /// Reads the next word and returns true if it is `expected`; otherwise reads nothing and returns false.
+    std::string name() { return std::string(word()); }
+    /// Reads the next word if it is `expected`.
     bool skip(std::string_view expected) {
         const std::string_view before = line_, found = at_end() ? "" : word();
         if (found != expected) line_ = before;
         return found == expected;
     }
     bool at_number() { return !at_end() && (line_[0] == '-' || (line_[0] >= '0' && line_[0] <= '9')); }
-    Int number(Int low = INT64_MIN, Int high = INT64_MAX) {
+    Int number(Int low = unknown + 1, Int high = INT64_MAX) {
         const std::string_view text = word();
         Int value = 0;
         const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -98,16 +96,8 @@ public:
             fail("`" + std::string(text) + "` is not a number or is out of range");
         return value;
     }
-    /// Reads a word that is an element of `list`, or the member `name` of an element of `list`, and returns the index
-    /// of the element.
-    template <class List, class... Name>
-    std::size_t choice(const List& list, Name... name) {
-        const auto found = std::ranges::find(list, word(), name...);
-        if (found == std::end(list)) fail("unknown word");
-        return static_cast<std::size_t>(found - std::begin(list));
-    }
+    Index index(Index size) { return static_cast<Index>(number(0, static_cast<Int>(size) - 1)); }
     std::string_view remainder() { return std::exchange(line_, {}); }
-    [[noreturn]] void unexpected(std::string_view word) const { fail("unexpected `" + std::string(word) + "`"); }
     [[noreturn]] void fail(const std::string& problem) const {
         malformed(name_ + ":" + std::to_string(number_) + ": " + problem);
     }
@@ -115,195 +105,184 @@ public:
 private:
     std::string name_;
     std::string_view rest_, line_ = {};
-    std::size_t number_ = 0;
+    Index number_ = 0;
 };
 
 // The network
 
 enum class Op { Not, And, Or, If, Neg, Eq, Ne, Lt, Le, Gt, Ge, Add, Sub, Mul, Div, Mod, Constant, Value };
-inline constexpr std::string_view operators[] = {"not", "and", "or", "if", "neg", "=", "!=", "<",
-                                                 "<=",  ">",   ">=", "+",  "-",   "*", "/",  "%"};
 enum class Pattern { Always, Never, Reachable, ExactlyOne, Inevitable, LeadsTo, Possible, NoDeadlock, NoTimelock };
-inline constexpr std::string_view patterns[] = {"always",          "never",       "reachable",
-                                                "exactly-one",     "inevitable",  "leads-to",
-                                                "always-possible", "no-deadlock", "no-timelock"};
 
 struct Term {
     Op op = Op::Constant;
-    Int value = 0;          // for a Constant: its value
-    std::size_t place = 0;  // for a Value: index of the value in State
-    std::vector<std::size_t> operands = {};
-    std::size_t depth = 1;
+    Int value = 0;               // Constant: the value
+    Int low = 0, high = 1;       // bounds of the value; `low` is `unknown` if the term may have no value
+    Index place = 0, depth = 1;  // Value: index in State
+    std::vector<Index> operands = {};
 };
-struct Constraint {
-    std::size_t clock = 0;  // index in State
-    Op relation = Op::Le;
-    Int bound = 0;
-    /// Returns the least value from which on either all values satisfy the constraint, or all values violate it.
-    Int cap() const { return relation == Op::Lt || relation == Op::Ge ? bound : bound + 1; }
-};
-struct Location {
-    std::string name = {};
-    std::vector<Constraint> invariant = {};
-    // By clock (index in State): the cap, which also represents all greater values.
-    std::map<std::size_t, Int> caps = {};
-};
+using Constraint = std::tuple<Index, Op, Int>;  // clock (index in State), relation, bound
 struct Edge {
-    std::size_t from = 0, to = 0, guard = 0;
+    Index from = 0, to = 0, guard = 0;
     bool urgent = false;
     std::vector<Constraint> constraint = {};
-    std::set<std::size_t> resets = {};
-    // Pairs of the index of the assigned variable in State, and the term of its new value.
-    std::vector<std::pair<std::size_t, std::size_t>> assignments = {};
+    std::set<Index> resets = {};
+    std::vector<std::pair<Index, Index>> assignments = {};  // index in State, term
 };
-struct Clock {
-    std::string name = {};
-    std::size_t place = 0;  // index in State
-};
+using Constraints = std::vector<std::vector<Constraint>>;  // by location
+using Caps = std::vector<std::map<Index, Int>>;            // by location and clock (index in State)
 struct Process {
     std::string name = {};
-    std::size_t place = 0;  // index in State
-    std::vector<Clock> clocks = {};
-    std::vector<Location> locations = {};
+    Index place = 0;  // index in State
+    Constraints invariants = {};
+    Caps caps = {};  // this value also represents all greater values
     std::vector<Edge> edges = {};
 };
 struct Property {
     std::string name = {};
     bool stable = false;  // true if the property concerns only states in which `settled` is true
     Pattern pattern = Pattern::Always;
-    std::vector<std::size_t> operands = {};
+    std::vector<Index> operands = {};
 };
 
-class Network {
-public:
+struct Network {
     explicit Network(const std::string& text) : words_("network.txt", text) {
-        if (!words_.next_line() || !words_.skip("grafverif-network") || words_.number() != 1)
-            words_.fail("this is not a network of version 1");
-        while (words_.next_line()) read_line(words_.word());
-        for (const Process& process : processes)
-            if (!declared_.contains("initial " + process.name)) words_.fail("a process has no initial location");
+        std::string words = "not and or if neg = != < <= > >= + - * / % always never reachable exactly-one inevitable ";
+        Words known("", words += "leads-to always-possible no-deadlock no-timelock\n");
+        known.next_line();
+        for (Index i = 0; i < 16; ++i) declare("operator ", known.name(), i);
+        for (Index i = 0; i < 9; ++i) declare("pattern ", known.name(), i);
+        words_.header("grafverif-network");
+        while (words_.next_line()) read_line(words_.name());
+        raise_caps();
     }
 
-    /// True if the range of the value with the index `place` in State contains `value`.
-    bool admits(std::size_t place, Int value) const {
-        return ranges[place].first <= value && value <= ranges[place].second;
+    /// Reads a name and returns its index.
+    Index find(Words& words, std::string kind) const {
+        const auto found = declared_.find(kind += words.word());
+        return found != declared_.end() ? found->second : (words.fail("unknown " + kind), 0);
     }
 
     std::vector<Process> processes = {};
     std::vector<Property> properties = {};
-    std::vector<Term> terms = {Term{}};  // all terms; index 0 is not used
-    std::size_t settled = 0, race = 0;   // terms
+    std::vector<Term> terms = {Term{}};  // term 0 is not used
+    Index settled = 0;                   // term
     State initial = {};
     std::vector<std::pair<Int, Int>> ranges = {};  // range of each value of State, by its index
 
 private:
-    void read_line(std::string_view kind) {
+    void read_line(const std::string& kind) {
+        const bool is_named = kind == "variable" || kind == "define" || kind == "process" || kind == "property";
+        const std::string name = is_named ? words_.name() : "";
         if (kind == "name") words_.remainder();
-        else if (kind == "variable" || kind == "define") {
-            const std::string name = declare("term ", words_.word());
-            terms_.emplace(name, kind == "define" ? term() : add({Op::Value, 0, initial.size()}));
-            if (kind == "define") return;
+        else if (kind == "variable") {
             const Int low = words_.number(), high = words_.number(low);
-            add_place(low, high, words_.number(low, high));
-        } else if (kind == "race" || kind == "settled") {
-            declare(std::string(kind), {});
-            (kind == "race" ? race : settled) = term();
-        } else if (kind == "property") read_property();
+            declare("term ", name, add_place(low, high, words_.number(low, high)));
+            declare("variable ", name, initial.size() - 1);
+        } else if (kind == "define") declare("term ", name, term());
+        else if (kind == "settled") declare(kind, "", settled = term());
+        else if (kind == "property") read_property({name, words_.skip("stable")});
         else if (kind == "process") {
-            processes.push_back({declare("process ", words_.word()), initial.size()});
-            add_place(0, 0, 0);
-        } else if (processes.empty()) words_.unexpected(kind);
+            const Index count = words_.index(1'000'000), first = words_.index(count);
+            declare("term @", name, add_place(0, static_cast<Int>(count) - 1, static_cast<Int>(first)));
+            declare("process ", name, processes.size());
+            processes.push_back({name, initial.size() - 1, Constraints(count), Caps(count)});
+        } else if (processes.empty()) words_.fail("unexpected `" + kind + "`");
         else read_part(kind, processes.back());
     }
 
-    void read_part(std::string_view kind, Process& process) {
-        if (kind == "clock" && process.locations.empty()) {
-            process.clocks.push_back({declare("clock " + process.name + ' ', words_.word()), initial.size()});
+    void read_part(const std::string& kind, Process& process) {
+        Edge* const edge = process.edges.empty() ? nullptr : &process.edges.back();
+        if (kind == "clock") {
+            declare("clock " + process.name + ' ', words_.name(), initial.size());
+            for (auto& caps : process.caps) caps[initial.size()] = 0;
             add_place(0, greatest_clock, 0);
-        } else if (kind == "location") {
-            process.locations.push_back({declare("location " + process.name + ' ', words_.word())});
-            for (const Clock& clock : process.clocks) process.locations.back().caps[clock.place] = 0;
-            ranges[process.place].second = std::ssize(process.locations) - 1;
-        } else if (kind == "initial") {
-            declare("initial ", process.name);
-            initial[process.place] = static_cast<Int>(location(process));
-        } else if (kind == "invariant" && !process.locations.empty())
-            process.locations.back().invariant.push_back(constraint(process));
-        else if (kind == "cap" && !process.locations.empty()) {
-            Int& cap = process.locations.back().caps.at(clock(process));
-            cap = words_.number(0, greatest_clock);
+        } else if (kind == "invariant") {
+            const Index at = words_.index(process.caps.size());
+            process.invariants[at].push_back(constraint(process, at));
         } else if (kind == "edge") {
-            const std::size_t from = location(process), to = location(process);
+            const Index from = words_.index(process.caps.size()), to = words_.index(process.caps.size());
             const bool urgent = words_.skip("urgent");
             process.edges.push_back({from, to, term(), urgent});
-        } else if (process.edges.empty()) words_.unexpected(kind);
-        else if (kind == "when") process.edges.back().constraint.push_back(constraint(process));
-        else if (kind == "reset") process.edges.back().resets.insert(clock(process));
-        else if (kind == "set") {
-            const std::size_t target = term();
-            if (terms[target].op != Op::Value) words_.fail("the target is not a variable");
-            process.edges.back().assignments.emplace_back(terms[target].place, term());
-        } else words_.unexpected(kind);
+        } else if (edge && kind == "when") edge->constraint.push_back(constraint(process, edge->from));
+        else if (edge && kind == "reset") edge->resets.insert(find(words_, "clock " + process.name + ' '));
+        else if (edge && kind == "set") {
+            const Index target = find(words_, "variable ");
+            edge->assignments.emplace_back(target, term());
+        } else words_.fail("unexpected `" + kind + "`");
     }
 
-    void read_property() {
-        Property one{declare("property ", words_.word()), words_.skip("stable")};
-        one.pattern = static_cast<Pattern>(words_.choice(patterns));
+    void read_property(Property one) {
+        one.pattern = static_cast<Pattern>(find(words_, "pattern "));
         while (!words_.at_end()) one.operands.push_back(term());
-        const std::size_t count = one.pattern >= Pattern::NoDeadlock ? 0 : one.pattern == Pattern::LeadsTo ? 2 : 1;
+        const Index count = one.pattern >= Pattern::NoDeadlock ? 0 : one.pattern == Pattern::LeadsTo ? 2 : 1;
         if (one.pattern != Pattern::ExactlyOne && one.operands.size() != count) words_.fail("wrong number of operands");
         if (one.stable && settled == 0) words_.fail("`settled` is not defined");
+        declare("property ", one.name, properties.size());
         properties.push_back(std::move(one));
     }
 
-    std::string declare(std::string kind, std::string_view name) {
-        if (!declared_.insert(kind += name).second) words_.fail("`" + kind + "` is declared twice");
-        return std::string(name);
+    /// Gives a name a meaning. A second declaration would be ambiguous.
+    void declare(const std::string& kind, const std::string& name, Index index) {
+        if (!declared_.emplace(kind + name, index).second) words_.fail("`" + kind + name + "` is declared twice");
     }
-    void add_place(Int low, Int high, Int first) {
+    /// Adds an element to State, and returns the term that reads it.
+    Index add_place(Int low, Int high, Int first) {
         ranges.emplace_back(low, high);
         initial.push_back(first);
+        return add({.op = Op::Value, .low = low, .high = high, .place = initial.size() - 1});
     }
-
-    std::size_t location(const Process& of) { return words_.choice(of.locations, &Location::name); }
-    std::size_t clock(const Process& of) { return of.clocks[words_.choice(of.clocks, &Clock::name)].place; }
-    Constraint constraint(const Process& process) {
-        const std::size_t restricted = clock(process);
-        const Op relation = static_cast<Op>(words_.choice(operators));
+    /// Reads a constraint that concerns a location. The cap of the clock is at least the least value from which on all
+    /// values satisfy the constraint or all values violate it.
+    Constraint constraint(Process& process, Index at) {
+        const Index clock = find(words_, "clock " + process.name + ' ');
+        const Op relation = static_cast<Op>(find(words_, "operator "));
         if (relation < Op::Eq || relation > Op::Ge || relation == Op::Ne) words_.fail("invalid relation");
-        return {restricted, relation, words_.number(-greatest_clock, greatest_clock - 1)};
+        const Int bound = words_.number(-greatest_clock, greatest_clock - 1);
+        Int& cap = process.caps[at].at(clock);
+        cap = std::max(cap, relation == Op::Lt || relation == Op::Ge ? bound : bound + 1);
+        return {clock, relation, bound};
+    }
+    /// Raises the cap of each location to the caps of the targets of its edges that do not reset the clock.
+    void raise_caps() {
+        for (bool more = true; std::exchange(more, false);)
+            for (Process& process : processes)
+                for (const Edge& edge : process.edges)
+                    for (auto& [clock, cap] : process.caps[edge.from])
+                        if (const Int least = process.caps[edge.to].at(clock);
+                            cap < least && !edge.resets.contains(clock))
+                            cap = least, more = true;
     }
 
-    std::size_t add(Term term) {
-        for (const std::size_t operand : term.operands) term.depth = std::max(term.depth, terms[operand].depth + 1);
-        if (term.depth > most_depth) words_.fail("a term is nested too deeply");
+    Index add(Term term) {
+        if (term.op == Op::Neg || (term.op >= Op::Add && term.op <= Op::Mod)) term.low = unknown;
+        for (const Index operand : term.operands) {
+            const Term& part = terms[operand];
+            term.depth = std::max(term.depth, part.depth + 1);
+            if (term.op == Op::If) term.high = std::max(term.high, part.high);
+            if (term.op == Op::If || part.low == unknown) term.low = std::min(term.low, part.low);
+        }
+        if (term.depth > most_depth) words_.fail("a term is too deep");
         terms.push_back(std::move(term));
         return terms.size() - 1;
     }
-    /// Reads a term: a number, the name of a variable or of a defined term, or an operator with its operands.
-    std::size_t term(std::size_t nesting = 0) {
+    /// Reads a term: a number, a name, or an operator with its operands. `@NAME` is the location of a process.
+    Index term(Index nesting = 0) {
         if (nesting > most_nesting) words_.fail("parentheses are nested too deeply");
-        if (words_.at_number()) return add({Op::Constant, words_.number()});
-        if (!words_.skip("(")) {
-            const auto found = terms_.find(words_.word());
-            if (found == terms_.end()) words_.fail("unknown variable or term");
-            return found->second;
+        if (words_.at_number()) {
+            const Int value = words_.number();
+            return add({Op::Constant, value, value, value});
         }
-        Term made{Op::Eq};
-        if (words_.skip("at")) {
-            const std::size_t p = words_.choice(processes, &Process::name), at = location(processes[p]);
-            made.operands = {add({Op::Value, 0, processes[p].place}), add({Op::Constant, static_cast<Int>(at)})};
-        } else made.op = static_cast<Op>(words_.choice(operators));
+        if (!words_.skip("(")) return find(words_, "term ");
+        Term made{static_cast<Op>(find(words_, "operator "))};
         while (!words_.skip(")")) made.operands.push_back(term(nesting + 1));
-        const std::size_t count = made.op == Op::Not || made.op == Op::Neg ? 1 : made.op == Op::If ? 3 : 2;
+        const Index count = made.op == Op::Not || made.op == Op::Neg ? 1 : made.op == Op::If ? 3 : 2;
         if (made.op != Op::And && made.op != Op::Or && made.operands.size() != count)
             words_.fail("wrong number of operands");
         return add(std::move(made));
     }
 
     Words words_;
-    std::map<std::string, std::size_t, std::less<>> terms_ = {};
-    std::set<std::string> declared_ = {};  // declared names; a second declaration is an error
+    std::map<std::string, Index> declared_ = {};
 };
 
 }  // namespace certify

@@ -1,130 +1,192 @@
 // SPDX-License-Identifier: MIT
-// Implements the semantics of a network in integer time: values of terms, edges, delays, and the caps of the clocks.
+// The semantics of a network in integer time: values of terms, edges, and delays.
+//
+// A state of a *fragment* does not contain the values of some variables, locations and clocks: they are `unknown`. It
+// represents all states of the network that agree with it on the other values. A move of the fragment is a move of the
+// network from one of these states: each unknown value that the move reads may be any value of its range, and each
+// constraint on an unknown clock may hold. Therefore each move of the network, of any process, is a move of the fragment
+// or leaves its state unchanged. Nothing that a certificate contains can remove a move.
+//
+// A *subsystem* is a fragment without moves of processes whose locations are unknown. It must neither read an unknown
+// value nor contain a variable that such a process writes.
 #pragma once
 
 #include "network.hpp"
 
 namespace certify {
 
-class Semantics {
-public:
-    explicit Semantics(const Network& of) : network(of), memory_(of.terms.size()) {}
+/// The successors of a state. If time can pass (`waits`), the last one is the state after one unit of time.
+struct Moves {
+    std::vector<State> next = {};
+    bool waits = false;
+    std::set<std::string> errors = {};  // the model errors of edges that can be taken
+};
+
+struct Semantics {
+    /// `mask` is a state of the fragment, or a complete state. The urgent edges of `reacting`, processes without known
+    /// location, also stop time; other processes without known location never stop time.
+    Semantics(const Network& of, const State& mask, const std::set<Index>& reacting = {}, bool is_subsystem = false)
+        : network(of), fragment(std::ranges::count(mask, unknown) != 0), subsystem(is_subsystem) {
+        const auto is_known = [&](Index place) { return mask[place] != unknown; };
+        const auto changes = [&](const auto& assignment) { return is_known(assignment.first); };
+        const auto errs = [&](const auto& assignment) { return !fits(assignment.first, assignment.second); };
+        for (Index p = 0; p < of.processes.size(); ++p)
+            for (const Edge& edge : of.processes[p].edges) {
+                const bool own = is_known(of.processes[p].place);
+                bool acts =
+                    std::ranges::any_of(edge.assignments, changes) || std::ranges::any_of(edge.resets, is_known);
+                if (subsystem && !own && acts) reject("an edge concerns several subsystems");
+                acts = acts || of.terms[edge.guard].low == unknown || std::ranges::any_of(edge.assignments, errs);
+                if (own || (acts && !subsystem)) edges_.emplace_back(p, &edge);
+                if (edge.urgent && (own || reacting.contains(p))) urgent_.emplace_back(p, &edge);
+            }
+    }
 
     const Network& network;
-    std::string error = {};  // the model error that `take` or `moves` has found, or empty
+    const bool fragment, subsystem;
 
-    bool truth(std::size_t term, const State& state) try { return value(term, state) != 0; } catch (const NoValue&) {
-        reject("a term of a property, `settled` or `race` has no value in some state");
+    bool truth(Index term, const State& state) try { return value(term, state) != 0; } catch (const NoValue&) {
+        reject("a term of a property or `settled` has no value in some state");
     }
-    /// True if the state has a race, which ends a run.
-    bool races(const State& state) { return network.race != 0 && truth(network.race, state); }
-    /// True if `property` concerns the state: a property `at stable` concerns only quiescent states.
-    bool concerns(const Property& property, const State& state) {
-        return !property.stable || truth(network.settled, state);
-    }
-    bool last_operand(const Property& property, const State& state) {
-        return concerns(property, state) && truth(property.operands.back(), state);
+    /// True if `property` concerns the state.
+    bool concerns(const Property& one, const State& state) { return !one.stable || truth(network.settled, state); }
+    /// True if the property concerns the state, and its operand `k` is true.
+    bool holds(Index k, const Property& property, const State& state) {
+        return concerns(property, state) && truth(property.operands[k], state);
     }
     /// True if `state` is a goal, that is, a state to which the property requires a path. `has_edge`: the state has an
     /// enabled edge. `waits`: time can pass.
     bool is_goal(const Property& property, const State& state, bool has_edge, bool waits) {
         if (property.pattern >= Pattern::NoDeadlock) return property.pattern == Pattern::NoDeadlock ? has_edge : waits;
-        return property.pattern > Pattern::ExactlyOne && last_operand(property, state);
+        return property.pattern > Pattern::ExactlyOne && holds(property.operands.size() - 1, property, state);
     }
-    /// True if the state alone violates the property or, for `reachable`, satisfies it.
+    /// True if the state, or a state that it represents, violates the property or, for `reachable`, satisfies it.
     bool decides(const Property& property, const State& state) {
-        if (property.pattern > Pattern::ExactlyOne || !concerns(property, state)) return false;
-        const auto count = std::ranges::count_if(property.operands, [&](auto term) { return truth(term, state); });
-        if (property.pattern == Pattern::ExactlyOne) return count != 1;
-        return (count != 0) != (property.pattern == Pattern::Always);
+        const auto is_true = [&](Index operand) { return truth(operand, state); };
+        return property.pattern <= Pattern::ExactlyOne && any_choice([&] {
+                   const auto count =
+                       concerns(property, state) ? std::ranges::count_if(property.operands, is_true) : -1;
+                   if (count < 0 || property.pattern == Pattern::ExactlyOne) return count >= 0 && count != 1;
+                   return (count != 0) != (property.pattern == Pattern::Always);
+               });
     }
 
-    /// True if the edge is enabled in `now`. If so, sets `next` to the successor or, after a model error, sets `error`.
-    bool take(std::size_t p, const Edge& edge, const State& now, State& next) try {
-        if (now[network.processes[p].place] != static_cast<Int>(edge.from)) return false;
-        if (!satisfied(edge.constraint, now) || value(edge.guard, now) == 0) return false;
-        next = now;
-        for (const std::size_t clock : edge.resets) next[clock] = 0;
-        if (!satisfied(network.processes[p].locations[edge.to].invariant, next)) return false;
-        for (const auto& [target, term] : edge.assignments) {
-            next[target] = value(term, next);
-            if (!network.admits(target, next[target])) throw NoValue();
-        }
-        next[network.processes[p].place] = static_cast<Int>(edge.to);
-        reduce(p, next);
-        return true;
-    } catch (const NoValue&) {
-        error = "an edge of `" + network.processes[p].name + "` causes a model error";
-        return true;
-    }
-
-    /// Calls `visit(next)` for the successor by each edge that can be taken. Returns true if one unit of time can pass;
-    /// in this case, `next` is the successor by this delay.
-    template <class Visit>
-    bool moves(const State& now, State& next, const Visit& visit) {
-        bool urgent = false;
-        error = races(now) ? "a race of stored actions" : "";
-        for (std::size_t p = 0; p < network.processes.size(); ++p)
-            for (const Edge& edge : network.processes[p].edges) {
-                if (!take(p, edge, now, next)) continue;
-                urgent = urgent || edge.urgent;
-                if (error.empty()) visit(next);
+    Moves moves(const State& now) {
+        Moves made;
+        for (const Move& move : edges_) any_choice([&] { return take(move, now, made), false; });
+        // Time can pass if, for some unknown values, no urgent edge is enabled.
+        State next = now;
+        const auto is_urgent = [&](const Move& move) {
+            try {
+                return is_enabled(move, now, next, false);
+            } catch (const NoValue&) {
+                return !fragment;
             }
+        };
+        made.waits = any_choice([&] { return std::ranges::none_of(urgent_, is_urgent); });
         next = now;
-        for (std::size_t p = 0; p < network.processes.size() && !urgent; ++p) {
-            for (const Clock& clock : network.processes[p].clocks) ++next[clock.place];
-            if (!satisfied(location(p, now).invariant, next)) return false;
-            reduce(p, next);
-        }
-        return !urgent;
-    }
-
-    /// Checks that no constraint distinguishes values that one cap represents: the cap of a clock in a location is not
-    /// less than the caps of the constraints in this location. For each edge that does not reset the clock, the cap is
-    /// also not less than the cap of the clock in the target location.
-    void check_caps() const {
         for (const Process& process : network.processes) {
-            const auto require = [&](const Location& at, std::size_t clock, Int least) {
-                if (at.caps.at(clock) < least) reject("a cap of a clock of `" + process.name + "` is too small");
-            };
-            for (const Location& at : process.locations)
-                for (const Constraint& one : at.invariant) require(at, one.clock, one.cap());
-            for (const Edge& edge : process.edges) {
-                const Location &from = process.locations[edge.from], &to = process.locations[edge.to];
-                for (const Constraint& one : edge.constraint) require(from, one.clock, one.cap());
-                for (const auto& [clock, cap] : to.caps)
-                    if (!edge.resets.contains(clock)) require(from, clock, cap);
-            }
+            for (const auto& [clock, cap] : process.caps[0])
+                if (now[clock] != unknown) ++next[clock];
+            if (now[process.place] == unknown) continue;
+            made.waits = made.waits && satisfied(process.invariants[location(process, now)], next, true);
+            reduce(process, next);
         }
-    }
-
-    /// Replaces the clock values of process `p` that exceed their caps by the caps.
-    void reduce(std::size_t p, State& state) const {
-        for (const auto& [clock, cap] : location(p, state).caps) state[clock] = std::min(state[clock], cap);
+        if (made.waits) made.next.push_back(std::move(next));
+        return made;
     }
 
 private:
-    const Location& location(std::size_t p, const State& state) const {
-        return network.processes[p].locations[static_cast<std::size_t>(state[network.processes[p].place])];
+    using Move = std::pair<Index, const Edge*>;  // the process, and its edge
+
+    /// True if all values of the term are in the range of the variable.
+    bool fits(Index target, Index term) const {
+        const auto& [low, high] = network.ranges[target];
+        return low <= network.terms[term].low && network.terms[term].high <= high;
     }
-    static bool satisfied(const std::vector<Constraint>& list, const State& state) {
-        return std::ranges::all_of(
-            list, [&](const Constraint& one) { return combined(one.relation, state[one.clock], one.bound) != 0; });
+    static Index location(const Process& of, const State& state) { return static_cast<Index>(state[of.place]); }
+    /// Replaces the clocks of a process by their caps.
+    static void reduce(const Process& of, State& state) {
+        if (state[of.place] == unknown) return;
+        for (const auto& [clock, cap] : of.caps[location(of, state)]) state[clock] = std::min(state[clock], cap);
     }
-    Int value(std::size_t term, const State& state) {
-        ++round_;  // a new round invalidates all values in memory_
-        return evaluate(term, state);
+
+    bool is_enabled(const Move& move, const State& now, State& next, bool if_unknown) {
+        const auto& [p, edge] = move;
+        if (read(network.processes[p].place, now) != static_cast<Int>(edge->from)) return false;
+        if (!satisfied(edge->constraint, now, if_unknown) || value(edge->guard, now) == 0) return false;
+        next = now;
+        for (const Index clock : edge->resets) next[clock] = 0;
+        return satisfied(network.processes[p].invariants[edge->to], next, if_unknown);
     }
-    Int evaluate(std::size_t index, const State& state) {
+    /// If the edge can be taken, adds the successor or the model error.
+    void take(const Move& move, const State& now, Moves& made) {
+        const auto& [p, edge] = move;
+        const Process& process = network.processes[p];
+        Index k = 0;
+        try {
+            State next;
+            if (!is_enabled(move, now, next, true)) return;
+            for (; k < edge->assignments.size(); ++k) {
+                const auto& [target, term] = edge->assignments[k];
+                const auto& [low, high] = network.ranges[target];
+                Int& variable = (now[target] == unknown ? free_ : next)[target];
+                if (now[target] == unknown && fits(target, term)) variable = unknown;
+                else if (variable = value(term, next); variable < low || variable > high) throw NoValue();
+            }
+            if (now[process.place] != unknown) next[process.place] = static_cast<Int>(edge->to);
+            for (const Index clock : edge->resets)
+                if (now[clock] == unknown) next[clock] = unknown;
+            reduce(process, next);
+            made.next.push_back(std::move(next));
+        } catch (const NoValue&) {
+            const auto number = std::to_string(edge - process.edges.data()) + " (" + std::to_string(k) + ')';
+            made.errors.insert("edge " + number + " of `" + process.name + "` causes a model error");
+        }
+    }
+
+    /// Calls `run` for each combination of the unknown values that it reads, until it returns true.
+    template <class Run>
+    bool any_choice(const Run& run) {
+        choices_.clear();
+        for (Index runs = 0; runs < most_choices; ++runs) {
+            if (fragment) std::ranges::fill(free_, unknown);
+            next_choice_ = 0;
+            if (run()) return true;
+            while (!choices_.empty() && choices_.back().second == network.ranges[choices_.back().first].second)
+                choices_.pop_back();
+            if (choices_.empty()) return false;
+            ++choices_.back().second;
+        }
+        reject("a move of a fragment reads too many unknown values");
+    }
+    /// Returns the value of a variable or location. An unknown value is chosen once, and again after an assignment.
+    Int read(Index place, const State& state) {
+        if (state[place] != unknown) return state[place];
+        if (subsystem) reject("a subsystem reads a value of another one");
+        if (free_[place] != unknown) return free_[place];
+        if (next_choice_ == choices_.size()) choices_.emplace_back(place, network.ranges[place].first);
+        return free_[place] = choices_[next_choice_++].second;
+    }
+    bool satisfied(const std::vector<Constraint>& list, const State& state, bool if_unknown) const {
+        return std::ranges::all_of(list, [&](const Constraint& one) {
+            const auto& [clock, relation, bound] = one;
+            if (subsystem && state[clock] == unknown) reject("a subsystem reads a value of another one");
+            return state[clock] == unknown ? if_unknown : combined(relation, state[clock], bound) != 0;
+        });
+    }
+    /// A new round forgets all values in memory_.
+    Int value(Index term, const State& state) { return ++round_, evaluate(term, state); }
+    Int evaluate(Index index, const State& state) {
         const Term& term = network.terms[index];
         if (term.op == Op::Constant) return term.value;
-        if (term.op == Op::Value) return state[term.place];
+        if (term.op == Op::Value) return read(term.place, state);
         if (memory_[index].first != round_) memory_[index] = {round_, compute(term, state)};
         return memory_[index].second;
     }
     Int compute(const Term& term, const State& state) {
-        const auto operand = [&](std::size_t i) { return evaluate(term.operands[i], state); };
-        const auto decides = [&](std::size_t each) { return (evaluate(each, state) != 0) == (term.op == Op::Or); };
+        const auto operand = [&](Index i) { return evaluate(term.operands[i], state); };
+        const auto decides = [&](Index each) { return (evaluate(each, state) != 0) == (term.op == Op::Or); };
         if (term.op == Op::And || term.op == Op::Or)
             return std::ranges::any_of(term.operands, decides) == (term.op == Op::Or);
         if (term.op == Op::If) return operand(operand(0) != 0 ? 1 : 2);
@@ -132,21 +194,24 @@ private:
         return term.op == Op::Neg ? combined(Op::Sub, 0, operand(0)) : combined(term.op, operand(0), operand(1));
     }
     static Int combined(Op op, Int left, Int right) {
-        Int result = 0;
-        bool fails = false;
-        if (op == Op::Eq || op == Op::Ne) return (left == right) == (op == Op::Eq);
+        if (op <= Op::Ne) return (left == right) == (op == Op::Eq);
         if (op == Op::Lt || op == Op::Ge) return (left < right) == (op == Op::Lt);
         if (op == Op::Gt || op == Op::Le) return (left > right) == (op == Op::Gt);
-        if (op == Op::Add) fails = __builtin_add_overflow(left, right, &result);
-        else if (op == Op::Sub) fails = __builtin_sub_overflow(left, right, &result);
-        else if (op == Op::Mul) fails = __builtin_mul_overflow(left, right, &result);
-        else if (right == 0 || (left == INT64_MIN && right == -1)) fails = true;
-        else result = op == Op::Div ? left / right : left % right;
-        return fails ? throw NoValue() : result;
+        Int result = 0;
+        const bool fails = op == Op::Add   ? __builtin_add_overflow(left, right, &result)
+                           : op == Op::Sub ? __builtin_sub_overflow(left, right, &result)
+                           : op == Op::Mul ? __builtin_mul_overflow(left, right, &result)
+                                           : right == 0 || (left == INT64_MIN && right == -1);
+        if (fails) throw NoValue();
+        return op == Op::Div ? left / right : op == Op::Mod ? left % right : result;
     }
 
-    std::vector<std::pair<std::uint64_t, Int>> memory_;  // values of terms, with the rounds in which they were computed
-    std::uint64_t round_ = 0;
+    std::vector<Move> edges_ = {}, urgent_ = {};
+    std::vector<std::pair<Index, Int>> choices_ = {};  // places and their values
+    Index next_choice_ = 0;
+    State free_ = State(network.initial.size(), unknown);  // the chosen and assigned values of unknown places
+    std::vector<std::pair<Index, Int>> memory_{network.terms.size()};  // values of terms, with their rounds
+    Index round_ = 0;
 };
 
 }  // namespace certify

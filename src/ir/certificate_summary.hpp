@@ -9,13 +9,15 @@
 
 namespace grafverif {
 
-/// Type of a proof of a verdict. States: an inductive set of states. Run: one run. WitnessCircuit: the circuit of an
-/// inductive invariant of an untimed model.
-enum class CertificateKind : std::uint8_t { States, Run, WitnessCircuit };
+/// What proves a verdict. Fragment, Subsystems: states of a fragment, or of each independent subsystem, of the network.
+/// WitnessCircuit: the circuit of an inductive invariant of an untimed model.
+enum class CertificateKind : std::uint8_t { States, Fragment, Subsystems, Run, WitnessCircuit };
 
 constexpr std::string_view word(CertificateKind kind) {
     switch (kind) {
     case CertificateKind::States: return "set of states";
+    case CertificateKind::Fragment: return "set of states of a fragment";
+    case CertificateKind::Subsystems: return "sets of states of subsystems";
     case CertificateKind::Run: return "run";
     case CertificateKind::WitnessCircuit: break;
     }
@@ -27,9 +29,13 @@ struct CertificateSummary {
     struct Omitted {
         std::string property = {}, reason = {};
     };
-    std::string folder = {};                  ///< folder that contains the files of the certificate
-    std::vector<std::string> certified = {};  ///< names of the properties whose verdicts the files prove
-    std::vector<CertificateKind> kinds = {};  ///< type of proof for each element of `certified`
+    /// A property whose verdict the files prove.
+    struct Certified {
+        std::string property = {};
+        CertificateKind kind = CertificateKind::States;
+    };
+    std::string folder = {};  ///< the folder of the files
+    std::vector<Certified> certified = {};
     std::vector<Omitted> omitted = {};
 };
 

@@ -98,6 +98,7 @@ struct StateSearch {
     PdrOptions::Method method = PdrOptions::Method::Pdr;
     std::optional<std::size_t> max_steps = {};  ///< maximum length of a run in BMC
     decltype(PdrOptions::proved) proved = {};
+    decltype(PdrOptions::shown) shown = {};
 };
 /// Returns the options of a BMC search. `max_steps` is the maximum length of the explored runs, 100 by default.
 StateSearch bounded_search(std::optional<std::uint64_t> max_steps);

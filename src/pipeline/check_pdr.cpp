@@ -51,6 +51,7 @@ Report check_states(const SystemToCheck& check, const CheckOptions& options, con
     pdr.max_steps = search.max_steps;
     pdr.reach = search.reach;
     pdr.proved = search.proved;
+    pdr.shown = search.shown;
     pdr.properties = requested_names(check.system, options.properties);
     set_limits(pdr, options.limits);
     if (options.limits.progress)

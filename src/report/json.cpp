@@ -106,10 +106,11 @@ Json trials_json(const std::vector<Trial>& trials) {
 }
 
 Json certificate_json(const CertificateSummary& certificate) {
-    Json omitted = Json::array();
+    Json certified = Json::array(), omitted = Json::array();
+    for (const CertificateSummary::Certified& one : certificate.certified) certified.push_back(one.property);
     for (const CertificateSummary::Omitted& one : certificate.omitted)
         omitted.push_back({{"property", one.property}, {"reason", one.reason}});
-    return {{"folder", certificate.folder}, {"certified", certificate.certified}, {"omitted", std::move(omitted)}};
+    return {{"folder", certificate.folder}, {"certified", std::move(certified)}, {"omitted", std::move(omitted)}};
 }
 
 }  // namespace

@@ -125,9 +125,8 @@ Tally tally(const Report& report) {
 }
 
 std::string_view certificate_word(const CertificateSummary& certificate, const std::string& property) {
-    const auto found = std::ranges::find(certificate.certified, property);
-    if (found == certificate.certified.end()) return "none";
-    return word(certificate.kinds[static_cast<std::size_t>(found - certificate.certified.begin())]);
+    const auto found = std::ranges::find(certificate.certified, property, &CertificateSummary::Certified::property);
+    return found == certificate.certified.end() ? "none" : word(found->kind);
 }
 
 std::string certificate_text(const CertificateSummary& certificate, const std::string& property) {

@@ -14,9 +14,12 @@
 #include <map>
 #include <sstream>
 
+#include "check/localization/localization.hpp"
 #include "check/timed/property_queries.hpp"
 #include "compose/observe.hpp"
+#include "ir/patterns.hpp"
 #include "pipeline/certificate/certificate.hpp"
+#include "pipeline/certificate/fragment.hpp"
 #include "support/damage.hpp"
 #include "support/random_loop.hpp"
 #include "support/random_network.hpp"
@@ -104,9 +107,16 @@ void forge_checksums(Files& files) {
     std::istringstream lines(files["certificate.txt"]);
     std::string index;
     for (std::string line; std::getline(lines, line);) {
-        if (line.starts_with("checksum ")) continue;
-        if (line.starts_with("network ")) line = "network " + certificate::checksum(files["network.txt"]);
-        if (line.starts_with("states ")) line = "states " + certificate::checksum(files["states.txt"]);
+        std::istringstream words(line);
+        std::string kind, sum, folder;
+        words >> kind >> sum >> folder;
+        if (kind == "checksum") continue;
+        if (kind == "network") line = "network " + certificate::checksum(files["network.txt"]);
+        if (kind == "states" || kind == "subsystem") {
+            const auto file = files.find((folder.empty() ? "" : folder + '/') + "states.txt");
+            if (file != files.end())
+                line = kind + ' ' + certificate::checksum(file->second) + (folder.empty() ? "" : ' ' + folder);
+        }
         index += line + '\n';
     }
     files["certificate.txt"] = index + "checksum " + certificate::checksum(index) + '\n';
@@ -130,8 +140,10 @@ std::map<std::string, std::string> accepted_claims(const std::string& text) {
     std::map<std::string, std::string> claims;
     for (const std::string& line : lines_of(text)) {
         const std::size_t colon = line.find(": ");
+        if (colon == std::string::npos) continue;
         const std::string verdict = line.substr(colon + 2, line.find(',') - colon - 2);
-        if (verdict == "holds" || verdict == "violated") claims[line.substr(0, colon)] = verdict;
+        const std::string name = line.substr(0, colon);
+        if (verdict == "holds" || verdict == "violated") claims[name.substr(name.rfind('/') + 1)] = verdict;
     }
     return claims;
 }
@@ -146,8 +158,23 @@ void expect_true(const std::string& text, const Report& truth) {
     }
 }
 
+/// Returns the report of localization or, for `by_parts`, of separate searches of subsystems.
+Report separate_report(const Network& network, bool by_parts) {
+    Report report;
+    const TimedResult result = by_parts
+                                   ? check_timed_by_parts(network, {})
+                                   : check_timed_by_cells(network, {}, {.whole = 4, .local = 5000}, {}, check_timed);
+    for (const Verdict& verdict : result.verdicts) report.answers.push_back({.verdict = verdict});
+    return report;
+}
+
 std::optional<Network> random_model(std::uint64_t seed) {
     Random random(seed);
+    if (seed % 5 == 0) {
+        Network network = random_cells(random, 2);
+        query_subsystems(network, random);
+        return network;
+    }
     if (seed % 3 == 0) return random_network(random);
     if (seed % 3 == 1) {
         Network network = random_parts(random, 2);
@@ -178,7 +205,9 @@ std::optional<Case> random_case(std::uint64_t seed, bool single) {
         (single ? 400U : 20'000U))
         return {};
     made.report = report_of(made.network);
-    made.certificate = certificate_of({made.network}, made.report, {});
+    // Verdicts of fragments and of subsystems must be those of the complete network.
+    const Report separate = seed % 5 == 0 || seed % 3 == 1 ? separate_report(made.network, seed % 5 != 0) : made.report;
+    made.certificate = certificate_of({made.network}, separate, {});
     made.files = files_of(made.certificate);
     return made;
 }
@@ -186,6 +215,7 @@ std::optional<Case> random_case(std::uint64_t seed, bool single) {
 TEST(RandomizedCertificate, CertificatesOfRandomModelsAreAccepted) {
     CertificateFolder folder;
     std::map<std::string, int> shown;
+    std::map<CertificateKind, int> kinds;
     int models = 0;
     for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(test_size(150)); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -193,9 +223,11 @@ TEST(RandomizedCertificate, CertificatesOfRandomModelsAreAccepted) {
         if (!one) continue;
         ++models;
         EXPECT_TRUE(one->certificate.failures.empty());
+        for (const CertificateSummary::Certified& certified : one->certificate.summary.certified)
+            ++kinds[certified.kind];
         ASSERT_EQ(folder.check(one->files), Checked::Accepted) << folder.text;
         const auto claims = accepted_claims(folder.text);
-        EXPECT_EQ(claims.size(), one->certificate.certified.size());
+        EXPECT_EQ(claims.size(), one->certificate.summary.certified.size());
         expect_true(folder.text, one->report);
         for (const std::string& line : lines_of(folder.text))
             if (const std::size_t comma = line.find(", "); comma != std::string::npos)
@@ -206,6 +238,8 @@ TEST(RandomizedCertificate, CertificatesOfRandomModelsAreAccepted) {
     EXPECT_GT(shown["violated, shown by a run"], models);
     EXPECT_GT(shown["holds, shown by a run"], 0);
     EXPECT_GT(shown["violated, proved by the states"], 0);
+    EXPECT_GT(kinds[CertificateKind::Fragment], test_size(150) / 10);
+    EXPECT_GT(kinds[CertificateKind::Subsystems], 0);
 }
 
 /// Returns the certificate with a change that alters its meaning, and with correct checksums. `changes_states` becomes
@@ -214,8 +248,11 @@ Files with_other_meaning(const Files& files, std::mt19937& random, bool& changes
     Files changed = files;
     changes_states = false;
     const auto pick = [&](std::size_t count) { return count == 0 ? 0 : random() % count; };
-    std::vector<std::string> states =
-        changed.contains("states.txt") ? lines_of(changed["states.txt"]) : std::vector<std::string>();
+    std::vector<std::string> sets = {""};
+    for (const auto& [name, content] : files)
+        if (name.ends_with("states.txt")) sets.push_back(name);
+    const std::string& set = sets[sets.size() > 1 ? 1 + pick(sets.size() - 1) : 0];
+    std::vector<std::string> states = set.empty() ? std::vector<std::string>() : lines_of(changed[set]);
     std::vector<std::string> index = lines_of(changed["certificate.txt"]);
     index.pop_back();  // the checksum
     const std::size_t line = 2 + pick(index.size() - 2);
@@ -227,11 +264,11 @@ Files with_other_meaning(const Files& files, std::mt19937& random, bool& changes
             states.erase(states.begin() + static_cast<std::ptrdiff_t>(state));
         } else {
             std::string& text = states[state];
-            const std::size_t digit = text.find_first_of("0123456789", pick(text.size() - 1));
-            const char before = text[digit];
+            const std::size_t digit = text.find_first_of("0123456789*", pick(text.size() - 1));
+            const char before = text[digit] == '*' ? '0' : text[digit];
             text[digit] = static_cast<char>('0' + (before - '0' + 1 + static_cast<char>(pick(9))) % 10);
         }
-        changed["states.txt"] = joined(states);
+        changed[set] = joined(states);
     } else if (kind == 2) {
         if (index[line].starts_with("holds ")) index[line].replace(0, 5, "violated");
         else if (index[line].starts_with("violated ")) index[line].replace(0, 8, "holds");
@@ -252,7 +289,7 @@ TEST(RandomizedCertificate, DamagedCertificatesAreRejected) {
     for (std::uint64_t seed = 1; damages < most && seed < 100'000; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         const std::optional<Case> one = random_case(seed, true);
-        if (!one || one->certificate.certified.empty()) continue;
+        if (!one || one->certificate.summary.certified.empty()) continue;
         std::mt19937 random(static_cast<std::uint32_t>(seed));
         for (int k = 0; k < 100 && damages < most; ++k) {
             Files files = one->files;
@@ -291,7 +328,7 @@ TEST(RandomizedCertificate, DamagedFilesWithCorrectChecksumsAreHandled) {
     int damages = 0;
     for (std::uint64_t seed = 1; damages < test_size(3000) && seed < 100'000; ++seed) {
         const std::optional<Case> one = random_case(seed, true);
-        if (!one || one->certificate.certified.empty()) continue;
+        if (!one || one->certificate.summary.certified.empty()) continue;
         std::mt19937 random(static_cast<std::uint32_t>(seed));
         for (int k = 0; k < 100; ++k, ++damages) {
             Files files = one->files;
@@ -338,7 +375,7 @@ TEST(RandomizedCertificate, CertificatesOfOtherModelsProveOnlyTrueClaims) {
     for (std::uint64_t seed = 1; compared < test_size(1000) && seed < 100'000; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         const std::optional<Case> one = random_case(seed, true);
-        if (!one || one->certificate.certified.empty()) continue;
+        if (!one || one->certificate.summary.certified.empty()) continue;
         Random random(seed);
         for (int k = 0; k < 10; ++k) {
             Network other = one->network;
@@ -346,8 +383,8 @@ TEST(RandomizedCertificate, CertificatesOfOtherModelsProveOnlyTrueClaims) {
             if (!verify(other).empty() || other == one->network) continue;
             const Network flat = expand(other);
             std::vector<Property> properties;
-            for (const std::string& name : one->certificate.certified) {
-                const auto found = std::ranges::find(flat.properties, name, &Property::name);
+            for (const CertificateSummary::Certified& certified : one->certificate.summary.certified) {
+                const auto found = std::ranges::find(flat.properties, certified.property, &Property::name);
                 properties.push_back(found == flat.properties.end() ? timed::undeclared_timelock(flat) : *found);
             }
             Files files = one->files;
@@ -362,6 +399,79 @@ TEST(RandomizedCertificate, CertificatesOfOtherModelsProveOnlyTrueClaims) {
         if (testing::Test::HasFailure()) break;
     }
     EXPECT_GT(rejected, compared / 3);
+}
+
+/// Premises of a fragment: another network, in which one of them does not hold.
+enum class Broken { OmittedProcessesMove, EdgesCanWait, GuardsCanHold, ValuesChange, ClocksPass, count };
+
+Network without_premise(Network network, const FragmentContent& content, Broken premise) {
+    for (const Id<Network::Process> id : network.processes.ids()) {
+        Network::Template& automaton = network.templates[network.processes[id].automaton];
+        const bool kept = content.locations[id.index];
+        if (!kept && premise == Broken::OmittedProcessesMove) automaton.edges = {};
+        for (Network::Edge& edge : automaton.edges) {
+            if (premise == Broken::EdgesCanWait && edge.constraint.empty()) edge.urgent = true;
+            if (premise == Broken::GuardsCanHold && !kept) edge.guard = network.exprs.constant(false);
+            if (premise == Broken::ValuesChange && !kept) edge.assignments.clear(), edge.calls.clear();
+        }
+        if (premise == Broken::ClocksPass)
+            for (Network::Location& location : automaton.locations)
+                for (const Id<Network::Clock> clock : automaton.clocks.ids())
+                    location.invariant.push_back({clock, Op::LessEqual, network.exprs.integer(1)});
+    }
+    return network;
+}
+
+/// A set of states of a fragment that ignores a premise is closed in another network. The program must not accept a
+/// false claim that this set would prove.
+TEST(RandomizedCertificate, FragmentsThatIgnoreAPremiseProveNoFalseClaim) {
+    CertificateFolder folder;
+    std::map<int, int> rejected, accepted;
+    for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(test_size(1000)); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        Network network = random_cells(random, 2);
+        query_subsystems(network, random);
+        const Network flat = expand(with_single_verdicts(std::move(network)));
+        const TimedResult truth = check_timed(flat, {.max_states = 20'000, .covering = false});
+        const NetworkFragments cells = cells_of(flat);
+        for (const Id<Property> id : flat.properties.ids()) {
+            const Property& property = flat.properties[id];
+            const auto verdict = std::ranges::find(truth.verdicts, property.name, &Verdict::property);
+            if (!is_about_single_states(property.pattern) || verdict->outcome == Outcome::Unknown) continue;
+            const std::vector<std::uint32_t> read = cells_read(flat, cells, property);
+            if (read.empty()) continue;
+            FragmentContent content = complete_content(flat);
+            for (const Id<Network::Process> process : flat.processes.ids())
+                content.locations[process.index] = content.clocks[process.index] =
+                    std::ranges::find(read, cells.of_process[process.index]) != read.end();
+            for (const Id<Network::Variable> variable : flat.variables.ids())
+                content.variables[variable.index] =
+                    variable != flat.race && std::ranges::find(read, cells.of_variable[variable.index]) != read.end();
+            for (int k = 0; k < static_cast<int>(Broken::count); ++k) {
+                const Network other = without_premise(flat, content, static_cast<Broken>(k));
+                const auto found = fragment_states(other, content, &property, {.states = 2000});
+                if (!found) continue;
+                Files files;
+                files["network.txt"] = certificate::network_text(flat, {property});
+                files["f/states.txt"] = certificate::states_text(found->states);
+                const bool reachable = property.pattern == Pattern::Reachable;
+                files["certificate.txt"] = "grafverif-certificate 2\nnetwork 0\nstates 0 f\n" +
+                                           std::string(reachable ? "violated " : "holds ") +
+                                           certificate::word_of(property.name) + '\n';
+                forge_checksums(files);
+                if (folder.check(files) != Checked::Accepted) {
+                    ++rejected[k];
+                    continue;
+                }
+                ++accepted[k];
+                EXPECT_EQ(verdict->outcome, reachable ? Outcome::Violated : Outcome::Holds)
+                    << property.name << ", premise " << k;
+            }
+        }
+    }
+    for (int k = 0; k < static_cast<int>(Broken::count); ++k) EXPECT_GT(rejected[k], 0) << "premise " << k;
+    RecordProperty("accepted", accepted[0]);
 }
 
 }  // namespace

@@ -77,30 +77,29 @@ std::vector<ModelSelection> aims(const Model& model, bool all, const Options& re
 }
 
 /// Returns text such as `set of states: P1, P2`; an empty string if the certificate proves no verdict in this way.
-std::string proved_text(const Certificate& certificate, CertificateKind kind) {
+std::string proved_text(const CertificateSummary& certificate, CertificateKind kind) {
     std::string text;
-    for (std::size_t k = 0; k < certificate.certified.size(); ++k)
-        if (certificate.kinds[k] == kind)
-            text += (text.empty() ? std::string(word(kind)) + ": " : ", ") + printable(certificate.certified[k]);
+    for (const CertificateSummary::Certified& one : certificate.certified)
+        if (one.kind == kind) text += (text.empty() ? std::string(word(kind)) + ": " : ", ") + printable(one.property);
     return text;
 }
 
 /// Records the files of the certificate, and prints which verdicts it contains.
 void note_certificate(const Decided& decided, CommandContext& job, const Streams& streams) {
     if (!decided.certificate) return;
-    const Certificate& certificate = *decided.certificate;
-    const std::string& folder = *job.options.certificate;
-    for (const Certificate::File& file : certificate.files)
-        job.reports->files.push_back({std::filesystem::path(folder) / file.path, file.content});
+    const CertificateSummary& certificate = decided.certificate->summary;
+    for (const Certificate::File& file : decided.certificate->files)
+        job.reports->files.push_back({std::filesystem::path(certificate.folder) / file.path, file.content});
     if (job.options.format != Format::Text || job.options.quiet) return;
-    const std::string checker = decided.timed ? fmt::format("`grafverif-certify {}`", printable(folder))
-                                              : "Certifaiger (NAME.model.aag, NAME.witness.aag), or check the proofs "
-                                                "NAME.*.lrat with an LRAT checker";
+    const std::string checker = decided.timed ? fmt::format("`grafverif-certify {}`", printable(certificate.folder))
+                                              : "Certifaiger (NAME.model.aag, NAME.witness.aag) or an LRAT checker "
+                                                "(NAME.*.lrat), and runs (NAME.cex) with an AIGER simulator";
     streams.out << fmt::format("certificate: {} of {} verdicts; check it with {}\n", certificate.certified.size(),
                                certificate.certified.size() + certificate.omitted.size(), checker);
-    for (const CertificateKind kind : {CertificateKind::States, CertificateKind::Run, CertificateKind::WitnessCircuit})
+    for (const CertificateKind kind : {CertificateKind::States, CertificateKind::Fragment, CertificateKind::Subsystems,
+                                       CertificateKind::Run, CertificateKind::WitnessCircuit})
         if (const std::string text = proved_text(certificate, kind); !text.empty()) streams.out << "  " << text << '\n';
-    for (const Certificate::Omitted& one : certificate.omitted)
+    for (const CertificateSummary::Omitted& one : certificate.omitted)
         streams.out << fmt::format("  {} is not certified: {}\n", one.property, one.reason);
 }
 
@@ -110,10 +109,9 @@ ExitCode show(const Decided& decided, const Model& model, CommandContext& job, R
     const Options& requested = job.options;
     const Report& report = decided.report;
     work_is_done();
-    const auto certificate = certificate_summary(decided, requested);
     if (requested.format == Format::Json)
         print_json(report, job.sources, streams.out, decided.why ? &*decided.why : nullptr, decided.trials,
-                   certificate ? &*certificate : nullptr);
+                   decided.certificate ? &decided.certificate->summary : nullptr);
     else if (requested.format == Format::JsonLines)
         print_json_lines(report, {job.sources, model, decided.loop, decided.chart}, streams.out);
     else
@@ -245,9 +243,8 @@ CliCommand check_usage() {
         "interpreter of the program. With --why, the statements that each property needs are printed.\n"
         "\n"
         "With --certificate DIR, the files in DIR prove the verdicts of a closed loop to the independent program\n"
-        "`grafverif-certify DIR` (docs/how-to/certificates.md). With --untimed --engine pdr, the files are witness "
-        "circuits\n"
-        "in AIGER.\n"
+        "`grafverif-certify DIR` (docs/how-to/certificates.md). With --untimed, the files are circuits, runs\n"
+        "and witness circuits in AIGER.\n"
         "\n"
         "Output: text, JSON (--format json, --json-lines), JUnit XML (--junit), SARIF (--sarif), an HTML report as\n"
         "that of `report` (--report); the first trace also as VCD (--trace-vcd) and SVG (--trace-svg). Report files\n"

@@ -352,6 +352,8 @@ private:
         if (const std::string why = doubt(system_, flat_, question.property, external_trace(answer)); !why.empty())
             throw UnsoundResult{"the trace for `" + question.property.name + "` is invalid: " + why};
         question.run = run_of(answer);
+        if (options_.shown && !is_probe(question.property))
+            options_.shown(question.property.name, circuit_, question.target->bad, answer.inputs);
         close(question, question.is_reachability() ? Outcome::Holds : Outcome::Violated);
         if (options_.reach) return;
         question.verdict.notes.emplace_back(question.cleared + 1 >= answer.inputs.size() ? "no shorter trace exists"

@@ -61,8 +61,13 @@ struct PdrOptions {
     std::function<void(const std::string& property, const Circuit& circuit, pdr::Literal bad,
                        const std::vector<pdr::Cube>& cubes)>
         proved = {};
-    /// Candidates for invariants of two literals (see LatchPairs); may be null. If the vector is empty and the check
-    /// computes such pairs, the check stores them in the vector.
+    /// Called for each property that a run decides, after the run has been validated. In the last state of the run, `bad`
+    /// is true. `inputs` are the values of the inputs in each state.
+    std::function<void(const std::string& property, const Circuit& circuit, pdr::Literal bad,
+                       const std::vector<std::vector<bool>>& inputs)>
+        shown = {};
+    /// Candidates for invariants of two literals (see LatchPairs). If the vector is empty and the check has computed the
+    /// pairs, the check stores them in the vector.
     std::vector<pdr::NamedCube>* pairs = nullptr;
     std::vector<std::string> properties = {};            ///< names of the properties to check; an empty list selects
                                                          ///< all

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "ir/junction.hpp"
 #include "ir/network_clocks.hpp"
 #include "support/overloaded.hpp"
 
@@ -85,14 +86,14 @@ public:
     }
 
     std::string text(const std::vector<Property>& properties) && {
-        write("grafverif-network 1\nname {}\n", word_of(network_.name));
-        for (const Network::Variable& variable : network_.variables)
-            write("variable {} {} {} {}\n", word_of(variable.name), variable.type.low, variable.type.high,
-                  variable.initial);
-        if (network_.race.valid()) write("race {}\n", variable_name(network_.race.index));
-        const std::vector<ProcessClocks> clocks = analyse_clocks(network_);
-        for (const Id<Network::Process> id : network_.processes.ids())
-            write_process(network_.processes[id], clocks[id.index]);
+        write("grafverif-network 2\nname {}\n", word_of(network_.name));
+        // A race is a model error: it assigns the flag a value outside its range.
+        for (const Id<Network::Variable> id : network_.variables.ids()) {
+            const Network::Variable& variable = network_.variables[id];
+            write("variable {} {} {} {}\n", word_of(variable.name), variable.type.low,
+                  id == network_.race ? variable.initial : variable.type.high, variable.initial);
+        }
+        for (const Network::Process& process : network_.processes) write_process(process);
         if (network_.settled.valid()) write_line("settled", {network_.settled});
         for (const Property& property : properties)
             write_line(fmt::format("property {}{} {}", word_of(property.name), property.at_stable ? " stable" : "",
@@ -109,21 +110,16 @@ private:
         fmt::format_to(std::back_inserter(out_), format, std::forward<Arguments>(arguments)...);
     }
 
-    void write_process(const Network::Process& process, const ProcessClocks& clocks) {
+    void write_process(const Network::Process& process) {
         const Network::Template& automaton = network_.templates[process.automaton];
-        write("process {}\n", word_of(process.name));
+        write("process {} {} {}\n", word_of(process.name), automaton.locations.size(), process.initial.index);
         for (const Network::Clock& clock : automaton.clocks) write("clock {}\n", word_of(clock.name));
         for (const Id<Network::Location> id : automaton.locations.ids()) {
-            write("location {}\n", word_of(automaton.locations[id].name));
-            write_constraints("invariant", automaton, automaton.locations[id].invariant);
-            for (const Id<Network::Clock> clock : automaton.clocks.ids())
-                if (const std::int64_t cap = clocks.cap[id.index][clock.index]; cap > 0)
-                    write("cap {} {}\n", word_of(automaton.clocks[clock].name), cap);
+            write("name location {} {}\n", id.index, word_of(automaton.locations[id].name));
+            write_constraints(fmt::format("invariant {}", id.index), automaton, automaton.locations[id].invariant);
         }
-        const auto name = [&](Id<Network::Location> id) { return word_of(automaton.locations[id].name); };
-        write("initial {}\n", name(process.initial));
         for (const Network::Edge& edge : automaton.edges) {
-            write_line(fmt::format("edge {} {}{}", name(edge.from), name(edge.to), edge.urgent ? " urgent" : ""),
+            write_line(fmt::format("edge {} {}{}", edge.from.index, edge.to.index, edge.urgent ? " urgent" : ""),
                        {edge.guard});
             write_constraints("when", automaton, edge.constraint);
             for (const Id<Network::Clock> clock : edge.resets)
@@ -146,6 +142,11 @@ private:
     void write_assignments(const std::vector<Network::Assignment>& assignments) {
         for (const Network::Assignment& one : assignments) {
             const auto target = static_cast<std::uint32_t>(network_.exprs[one.target].value);
+            if (network_.race == Id<Network::Variable>{target}) {
+                for (const Id<Expr> reason : operands_of(network_.exprs, one.value, Op::Or))
+                    if (reason != one.target) write_line("set " + variable_name(target), {reason});
+                continue;
+            }
             write_line("set " + variable_name(target), {one.value});
             if (network_.variables[{target}].scratch) assigned_scratch_.insert(target);
         }
@@ -178,9 +179,7 @@ private:
         if (node.op == Op::Variable) return variable_name(static_cast<std::uint32_t>(node.value));
         if (node.op == Op::At) {
             const Network::Process& process = network_.processes[{at_process(node)}];
-            const Network::Template& automaton = network_.templates[process.automaton];
-            return fmt::format("(at {} {})", word_of(process.name),
-                               word_of(automaton.locations[{at_location(node)}].name));
+            return fmt::format("(= @{} {})", word_of(process.name), at_location(node));
         }
         std::string text = fmt::format("({}", operator_of(node.op));
         for (const Id<Expr> operand : network_.exprs.operands(term)) text += ' ' + use(operand);
@@ -202,7 +201,7 @@ std::string checksum(std::string_view text) {
         sum ^= static_cast<unsigned char>(byte);
         sum *= 1'099'511'628'211U;
     }
-    return fmt::format("{:016x}", sum);
+    return std::to_string(sum);
 }
 
 std::string word_of(std::string_view name) {
@@ -228,35 +227,63 @@ std::string network_text(const Network& flat, const std::vector<Property>& prope
     return Writer(flat).text(properties);
 }
 
-void write_state(const Network& flat, const NetworkState& state, std::string& text) {
-    const auto add = [&](std::int64_t value) { fmt::format_to(std::back_inserter(text), "{} ", value); };
+std::vector<std::int64_t> state_values(const Network& flat, const NetworkState& state) {
+    std::vector<std::int64_t> values;
     for (const Id<Network::Variable> id : flat.variables.ids())
-        add(flat.variables[id].scratch ? flat.variables[id].initial : state.variables[id.index]);
+        values.push_back(flat.variables[id].scratch ? flat.variables[id].initial : state.variables[id.index]);
     for (std::size_t process = 0; process < state.locations.size(); ++process) {
-        add(state.locations[process].index);
-        for (const std::int64_t clock : state.clocks[process]) add(clock);
+        values.push_back(state.locations[process].index);
+        values.insert(values.end(), state.clocks[process].begin(), state.clocks[process].end());
     }
-    text += '\n';
+    return values;
 }
 
-std::int64_t units_of(const Run& run) {
-    std::int64_t units = 0;
-    for (const Move& move : run.moves)
-        if (const auto* delay = std::get_if<Delay>(&move)) units += delay->units;
-    return units;
+std::string state_line(const std::vector<std::int64_t>& values) {
+    std::string line;
+    for (const std::int64_t value : values) line += value == unknown_value ? "* " : fmt::format("{} ", value);
+    line += '\n';
+    return line;
 }
 
-std::string run_text(const Network& flat, const Run& run) {
+std::string states_text(std::vector<std::vector<std::int64_t>> states) {
+    std::ranges::sort(states);
     std::string text;
-    for (std::size_t i = 0; i < run.moves.size(); ++i) {
-        if (run.loop == i) text += "loop\n";
-        text += std::visit(overloaded{[](const Delay& delay) { return fmt::format("delay {}\n", delay.units); },
-                                      [&](const Fire& fire) {
-                                          return fmt::format("take {} {}\n", word_of(flat.processes[fire.process].name),
-                                                             fire.edge.index);
-                                      }},
-                           run.moves[i]);
+    for (const std::vector<std::int64_t>& state : states) text += state_line(state);
+    return text;
+}
+
+std::optional<std::string> run_text(const Network& flat, const Run& run, std::size_t most_bytes) {
+    const std::vector<ProcessClocks> clocks = analyse_clocks(flat);
+    NetworkState state = initial_state(flat);
+    const auto line = [&] {
+        NetworkState reduced = state;
+        for (std::size_t process = 0; process < clocks.size(); ++process)
+            for (std::size_t clock = 0; clock < reduced.clocks[process].size(); ++clock) {
+                std::int64_t& value = reduced.clocks[process][clock];
+                value = std::min(value,
+                                 std::max<std::int64_t>(clocks[process].cap[state.locations[process].index][clock], 0));
+            }
+        return state_line(state_values(flat, reduced));
+    };
+    std::string text, last = line();
+    const auto perform_one = [&](const Move& move) {
+        if (perform(flat, state, move).result != Step::Result::Done) return false;
+        text += last = line();
+        return text.size() < most_bytes;
+    };
+    for (const Move& move : run.moves) {
+        const auto* const delay = std::get_if<Delay>(&move);
+        if (delay == nullptr && !perform_one(move)) return {};
+        for (std::int64_t units = delay == nullptr ? 0 : delay->units; units > 0; --units) {
+            const std::string before = last;
+            if (!perform_one(Delay{1})) return {};
+            if (before != last) continue;
+            // longer delays lead to the same state
+            if (units > 1 && perform(flat, state, Delay{units - 1}).result != Step::Result::Done) return {};
+            break;
+        }
     }
+    if (flat.race.valid() && state.variables[flat.race.index] != flat.variables[flat.race].initial) return {};
     return text + "end\n";
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Writes the texts of a certificate in the format that `grafverif-certify` reads: the network with the caps of its
-// clocks, states and runs (src/certify, docs/how-to/certificates.md).
+// Texts of a certificate: the network, states and runs, as `grafverif-certify` reads them
+// (src/certify, docs/how-to/certificates.md).
 #pragma once
 
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,11 +17,12 @@
 
 namespace grafverif::certificate {
 
-/// Limits of `grafverif-certify`: the depth of a term, and the length of a run in units of time.
+/// Limit of `grafverif-certify`: the depth of a term.
 inline constexpr std::size_t most_depth = 4000;
-inline constexpr std::int64_t longest_run = 10'000'000;
+/// Value in the state of a fragment that the fragment does not contain.
+inline constexpr std::int64_t unknown_value = std::numeric_limits<std::int64_t>::min();
 
-/// Returns the checksum that the index of a certificate contains for a file: FNV-1a, 64 bits.
+/// Returns the checksum that the index of a certificate contains for a file: FNV-1a, 64 bits, as a number.
 std::string checksum(std::string_view text);
 
 /// Returns a name without characters that separate words. Different names remain different.
@@ -28,18 +31,19 @@ std::string word_of(std::string_view name);
 /// True if the depth of some term of the network exceeds `most_depth`.
 bool is_too_deep(const Network& flat);
 
-/// Returns the text of an expanded network, in which `properties` replace the properties of the network. The patterns
-/// of `properties` must be patterns that the timed engine supports. A property `reachable all steps` must be given as
-/// one `reachable` for each step. The text also contains the caps of the clocks.
+/// Returns the text of an expanded network without its properties, and with `properties`, whose patterns must be those
+/// of the timed engine. A property `reachable all steps` must be given as one `reachable` for each step.
 std::string network_text(const Network& flat, const std::vector<Property>& properties);
 
-/// Appends the line of a state. Requires that clock values above the caps have been replaced by the caps.
-void write_state(const Network& flat, const NetworkState& state, std::string& text);
+/// Returns all values of a state in the order of its line. Clocks must have been replaced by their caps.
+std::vector<std::int64_t> state_values(const Network& flat, const NetworkState& state);
 
-/// Returns the length of a run in units of time.
-std::int64_t units_of(const Run& run);
+/// Returns the text of a set of states: one line per state, in increasing order.
+std::string states_text(std::vector<std::vector<std::int64_t>> states);
 
-/// Returns the lines of a run, which end with `end`.
-std::string run_text(const Network& flat, const Run& run);
+/// Returns the lines of a run, which end with `end`: the states after the initial state, after each edge and each unit
+/// of time. A delay ends at the first state that does not change. The result is empty if the text is too long, or if
+/// the run ends with a model error.
+std::optional<std::string> run_text(const Network& flat, const Run& run, std::size_t most_bytes);
 
 }  // namespace grafverif::certificate

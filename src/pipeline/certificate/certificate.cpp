@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "check/timed/property_queries.hpp"
@@ -12,16 +13,17 @@
 #include "emit/certificate/certificate.hpp"
 #include "ir/probes.hpp"
 #include "ir/step_names.hpp"
+#include "pipeline/certificate/fragment_proofs.hpp"
 #include "pipeline/staged_search.hpp"
 
 namespace grafverif {
 
 namespace {
 
-/// Maximum number of states in a certificate, and maximum size in bytes of the text of these states. The text is built
-/// in memory.
+/// Maximum number of states of a certificate, and of all values of these states, which are stored in memory; maximum
+/// size of a run.
 constexpr std::uint64_t most_states = 10'000'000;
-constexpr std::size_t most_bytes = std::size_t{1} << 30U;
+constexpr std::size_t most_values = std::size_t{1} << 27U, most_bytes = std::size_t{1} << 26U;
 
 /// Returns the property that `verdict` decides. For a verdict on one step of a property `reachable all steps`, returns
 /// a property `reachable` of this step.
@@ -38,71 +40,156 @@ Property decided_property(const Network& flat, const Verdict& verdict) {
     return property;
 }
 
+/// The same for a verdict on a network in which the properties may have other ids. Requires that `flat` declares the
+/// property.
+Property reported_property(const Network& flat, Verdict verdict) {
+    for (const Id<Property> id : flat.properties.ids())
+        if (const std::string& name = flat.properties[id].name;
+            name == verdict.property || verdict.property.starts_with(name + '.'))
+            verdict.about = id;
+    return decided_property(flat, verdict);
+}
+
 /// Creates the certificate of one network in one folder.
 class FolderWriter {
 public:
     FolderWriter(Network flat, std::string folder, Certificate& certificate)
         : flat_(std::move(flat)), folder_(std::move(folder)), certificate_(certificate) {}
 
-    /// Searches the network again and adds the files that prove the verdicts `reported`. The index of the folder also
-    /// contains the lines `more`. If no verdict is proved, a subfolder is not written. Returns the lines for the index
-    /// of the folder that contains this folder.
+    /// Adds the claims about `reported`, and the lines `more` to the index. A subfolder without claims is not written.
+    /// Returns the lines for the index of the folder that contains this folder. Verdicts of localization and of input
+    /// abstraction are proved by fragments. All other verdicts need a complete search.
     std::string write(const std::vector<const Verdict*>& reported, TimedOptions options, const std::string& more = {}) {
-        std::string states;
-        options.covering = false;
-        options.profile = ProfileFor::None;
-        options.many = {};
-        options.max_states = std::min(options.max_states, most_states);
-        options.each_state = [&](const NetworkState& state) {
-            if (states.size() < most_bytes) certificate::write_state(flat_, state, states);
-        };
-        const TimedResult result = check_timed(flat_, options);
-        std::vector<Property> properties;
-        bool needs_states = false;
-        for (const Verdict* verdict : reported) {
-            const auto found = std::ranges::find(result.verdicts, verdict->property, &Verdict::property);
-            std::string reason = found == result.verdicts.end() ? "the complete search does not check the property"
-                                                                : obstacle(*verdict, *found, result);
-            if (reason.empty() && !found->run && states.size() >= most_bytes)
-                reason = "the text of the states is larger than 1 GiB";
-            if (!reason.empty()) {
-                omitted_.push_back({verdict->property, std::move(reason)});
-                continue;
-            }
-            properties.push_back(decided_property(flat_, *found));
-            claims_ += fmt::format("{} {}\n", word(found->outcome), certificate::word_of(found->property));
-            if (found->run) claims_ += certificate::run_text(flat_, *found->run);
-            else needs_states = true;
-            certificate_.certified.push_back(found->property);
-            certificate_.kinds.push_back(found->run ? CertificateKind::Run : CertificateKind::States);
+        limits_.deadline = options.deadline;
+        limits_.stop = options.stop;
+        limits_.states = std::min(options.max_states, limits_.states);
+        const auto is_separate = [](const Verdict* one) { return one->scope.cells || one->abstraction.has_value(); };
+        std::vector<const Verdict*> separate, others;
+        std::ranges::partition_copy(reported, std::back_inserter(separate), std::back_inserter(others), is_separate);
+        for (const Verdict* verdict : prove_by_fragments(separate)) others.push_back(verdict);
+        std::erase_if(others, [&](const Verdict* verdict) { return prove_by_subsystems(*verdict); });
+        std::vector<const Verdict*> known;
+        for (const Verdict* verdict : others) {
+            if (verdict->outcome == Outcome::Unknown) omit(*verdict, "the verdict is unknown");
+            else if (certificate::is_too_deep(flat_)) omit(*verdict, "a term of the model is too deep");
+            else known.push_back(verdict);
         }
-        std::string network = certificate::network_text(flat_, properties);
-        std::string index = fmt::format("grafverif-certificate 1\nnetwork {}\n", certificate::checksum(network));
-        if (needs_states) index += fmt::format("states {}\n", certificate::checksum(states));
-        std::string omitted;
-        for (const Certificate::Omitted& one : omitted_)
-            omitted += fmt::format("omitted {} {}\n", certificate::word_of(one.property), one.reason);
-        index += claims_ + omitted + more;
-        index += fmt::format("checksum {}\n", certificate::checksum(index));
-        certificate_.omitted.insert(certificate_.omitted.end(), omitted_.begin(), omitted_.end());
-        if (claims_.empty() && !folder_.empty()) return omitted;
-        certificate_.files.push_back({path("network.txt"), std::move(network)});
-        if (needs_states) certificate_.files.push_back({path("states.txt"), std::move(states)});
-        certificate_.files.push_back({path("certificate.txt"), std::move(index)});
-        return "also " + folder_ + '\n';
+        if (!known.empty()) prove_completely(known, std::move(options));
+        return written(more);
     }
 
 private:
     std::string path(const std::string& file) const { return folder_.empty() ? file : folder_ + '/' + file; }
 
-    /// Returns the reason why the verdict `reported` cannot be certified, or an empty string. `found` is the verdict of
-    /// the repeated search.
+    void omit(const Verdict& verdict, std::string reason) { omitted_.push_back({verdict.property, std::move(reason)}); }
+    void claim(const Property& property, Outcome outcome, CertificateKind kind, const std::string& run = {}) {
+        properties_.push_back(property);
+        claims_ += fmt::format("{} {}\n{}", word(outcome), certificate::word_of(property.name), run);
+        certificate_.summary.certified.push_back({property.name, kind});
+    }
+    /// Adds a set of states in a subfolder; `keyword` is `states` or `subsystem`.
+    void add_states(std::string_view keyword, const std::string& subfolder, const FragmentStates& found) {
+        std::string text = certificate::states_text(found.states);
+        claims_ += fmt::format("{} {} {}\n", keyword, certificate::checksum(text), subfolder);
+        certificate_.files.push_back({path(subfolder + "/states.txt"), std::move(text)});
+    }
+
+    /// Returns the verdicts that fragments do not prove.
+    std::vector<const Verdict*> prove_by_fragments(const std::vector<const Verdict*>& verdicts) {
+        if (verdicts.empty() || certificate::is_too_deep(flat_)) return verdicts;
+        FragmentProofs proofs(flat_, limits_);
+        std::vector<const Verdict*> open, proved;
+        for (const Verdict* verdict : verdicts)
+            (proofs.prove(*verdict, reported_property(flat_, *verdict)) ? proved : open).push_back(verdict);
+        if (!proofs.exclude_errors()) return verdicts;
+        std::size_t number = 0;
+        for (const FragmentProofs::Proof& proof : proofs.proofs()) {
+            for (const Id<Network::Process> process : proof.content.reacting)
+                claims_ += fmt::format("reacts {}\n", certificate::word_of(flat_.processes[process].name));
+            const std::string word = proof.property ? certificate::word_of(proof.property->name) : "errors";
+            add_states("states", fmt::format("{}-{}", word, ++number), proof.found);
+            if (!proof.property) continue;
+            const bool is_violated = proof.property->pattern == Pattern::Reachable;
+            claim(*proof.property, is_violated ? Outcome::Violated : Outcome::Holds, CertificateKind::Fragment);
+        }
+        return open;
+    }
+
+    /// Proves a `no deadlock` that holds for each independent subsystem.
+    bool prove_by_subsystems(const Verdict& verdict) {
+        const bool is_separate = !verdict.scope.searched.empty() || !verdict.scope.left_out.empty();
+        if (verdict.pattern != Pattern::NoDeadlock || !is_separate || certificate::is_too_deep(flat_)) return false;
+        if (verdict.outcome == Outcome::Unknown) return false;
+        const Property property = reported_property(flat_, verdict);
+        std::optional<std::vector<FragmentStates>> parts;
+        if (verdict.outcome == Outcome::Holds && !property.at_stable)
+            parts = FragmentProofs(flat_, limits_).subsystems();
+        if (!parts) {
+            omit(verdict,
+                 "the verdict applies to each subsystem; pass `--monolithic` to certify it for the complete loop");
+            return true;
+        }
+        for (std::size_t i = 0; i < parts->size(); ++i)
+            add_states("subsystem", fmt::format("{}-part-{}", certificate::word_of(property.name), i + 1), (*parts)[i]);
+        claim(property, Outcome::Holds, CertificateKind::Subsystems);
+        return true;
+    }
+
+    void prove_completely(const std::vector<const Verdict*>& reported, TimedOptions options) {
+        std::vector<std::vector<std::int64_t>> states;
+        std::size_t values = 0;
+        options.covering = false;
+        options.profile = ProfileFor::None;
+        options.many = {};
+        options.max_states = std::min(options.max_states, most_states);
+        options.each_state = [&](const NetworkState& state) {
+            if (values < most_values) states.push_back(certificate::state_values(flat_, state));
+            if (!states.empty()) values += states.back().size();
+        };
+        const TimedResult result = check_timed(flat_, options);
+        std::vector<std::pair<const Verdict*, std::string>> runs;
+        std::vector<const Verdict*> by_states;
+        for (const Verdict* verdict : reported) {
+            const auto found = std::ranges::find(result.verdicts, verdict->property, &Verdict::property);
+            std::string reason = found == result.verdicts.end() ? "the complete search does not check the property"
+                                                                : obstacle(*verdict, *found, result);
+            std::optional<std::string> run;
+            if (reason.empty() && !found->run && values >= most_values) reason = "the set of states is too large";
+            if (reason.empty() && found->run) {
+                run = certificate::run_text(flat_, *found->run, most_bytes);
+                if (!run) reason = "its run is too long, or ends with a model error";
+            }
+            if (!reason.empty()) omit(*verdict, std::move(reason));
+            else if (run) runs.emplace_back(&*found, std::move(*run));
+            else by_states.push_back(&*found);
+        }
+        if (!by_states.empty()) {
+            std::string text = certificate::states_text(std::move(states));
+            claims_ += fmt::format("states {}\n", certificate::checksum(text));
+            certificate_.files.push_back({path("states.txt"), std::move(text)});
+        }
+        for (const Verdict* verdict : by_states)
+            claim(decided_property(flat_, *verdict), verdict->outcome, CertificateKind::States);
+        for (const auto& [verdict, run] : runs)
+            claim(decided_property(flat_, *verdict), verdict->outcome, CertificateKind::Run, run);
+    }
+
+    std::string written(const std::string& more) {
+        std::string network = certificate::network_text(flat_, properties_), omitted;
+        for (const CertificateSummary::Omitted& one : omitted_)
+            omitted += fmt::format("omitted {} {}\n", certificate::word_of(one.property), one.reason);
+        certificate_.summary.omitted.insert(certificate_.summary.omitted.end(), omitted_.begin(), omitted_.end());
+        if (claims_.empty() && !folder_.empty()) return omitted;
+        std::string index = fmt::format("grafverif-certificate 2\nnetwork {}\n", certificate::checksum(network));
+        index += claims_ + omitted + more;
+        index += fmt::format("checksum {}\n", certificate::checksum(index));
+        certificate_.files.push_back({path("network.txt"), std::move(network)});
+        certificate_.files.push_back({path("certificate.txt"), std::move(index)});
+        return "also " + folder_ + '\n';
+    }
+
+    /// Returns the reason why the complete search does not certify a verdict, or an empty string.
     std::string obstacle(const Verdict& reported, const Verdict& found, const TimedResult& result) {
-        if (reported.outcome == Outcome::Unknown) return "the verdict is unknown";
-        const SearchScope& scope = reported.scope;
-        if (reported.pattern == Pattern::NoDeadlock && !(scope.searched.empty() && scope.left_out.empty()))
-            return "the verdict applies to each subsystem; pass `--monolithic` to certify it for the complete loop";
-        if (certificate::is_too_deep(flat_)) return "a term of the model is nested too deeply";
         if (found.outcome == Outcome::Unknown) return "the complete search does not decide it: " + found.reason;
         if (found.outcome != reported.outcome) {
             certificate_.failures.push_back(
@@ -110,8 +197,6 @@ private:
                             found.outcome == Outcome::Holds ? "holds" : "is violated", word(reported.outcome)));
             return "the complete search contradicts the verdict";
         }
-        if (found.run && certificate::units_of(*found.run) > certificate::longest_run)
-            return "the run of the verdict is too long";
         if (!found.run && (!result.complete || !result.errors.empty())) return "the set of states is incomplete";
         return {};
     }
@@ -119,8 +204,10 @@ private:
     Network flat_;
     std::string folder_;
     Certificate& certificate_;
+    FragmentLimits limits_ = {};
     std::string claims_ = {};
-    std::vector<Certificate::Omitted> omitted_ = {};
+    std::vector<Property> properties_ = {};
+    std::vector<CertificateSummary::Omitted> omitted_ = {};
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Certificates of timed checks: files from which `grafverif-certify` checks verdicts without the engines
-// (docs/how-to/certificates.md).
+// Certificates of checks: files from which other programs check verdicts without the engines
+// (docs/how-to/certificates.md). `grafverif-certify` checks timed verdicts; programs for AIGER check untimed verdicts.
 #pragma once
 
 #include <string>
@@ -16,12 +16,9 @@ struct Certificate {
         std::string path = {};  ///< path relative to the folder of the certificate
         std::string content = {};
     };
-    using Omitted = CertificateSummary::Omitted;
+    CertificateSummary summary = {};
     std::vector<File> files = {};
-    std::vector<std::string> certified = {};  ///< names of the properties whose verdicts the files prove
-    std::vector<CertificateKind> kinds = {};  ///< for each element of `certified`
-    std::vector<Omitted> omitted = {};
-    std::vector<std::string> failures = {};  ///< internal errors: verdicts that the repeated search contradicts
+    std::vector<std::string> failures = {};  ///< internal errors: verdicts of `report` that this search contradicts
 };
 
 /// Adds the certificate of an invariant that PDR has found: the circuit with the property `bad`, and its witness
@@ -35,9 +32,19 @@ struct Certificate {
 void add_witness(const std::string& property, const Circuit& circuit, pdr::Literal bad,
                  const std::vector<pdr::Cube>& cubes, const pdr::SolverLimits& limits, Certificate& certificate);
 
-/// Searches the complete loop again, without decomposition, abstraction and subsumption of states, and creates the
-/// certificate of the verdicts in `report`, which `check` returned for the same loop. A verdict that this search does
-/// not decide within the limits of `options` is omitted.
+/// Adds the certificate of a run of the circuit to a state in which `bad` is true: the circuit as AIGER, and the run as
+/// AIGER witness. `inputs` are the values of the inputs in each state.
+void add_run(const std::string& property, const Circuit& circuit, pdr::Literal bad,
+             const std::vector<std::vector<bool>>& inputs, Certificate& certificate);
+
+/// Adds certificates of the verdicts in `report` about single states that `certificate` does not contain. PDR and BMC
+/// decide these properties again, for at most a minute. All other verdicts are omitted.
+void certify_again(const SystemToCheck& check, const Report& report, const CheckOptions& options,
+                   Certificate& certificate);
+
+/// Searches the complete loop again, without decomposition, abstractions and covering, and creates the certificate of
+/// the verdicts in `report`, which `check` returned for the same loop. A verdict that this search does not decide within
+/// the limits of `options` is omitted.
 Certificate certificate_of(const LoopToCheck& loop, const Report& report, const CheckOptions& options);
 
 }  // namespace grafverif

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <chrono>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
+#include "check/pdr/check.hpp"
 #include "check/pdr/refutation.hpp"
 #include "emit/aiger/aiger.hpp"
 #include "emit/certificate/certificate.hpp"
 #include "pipeline/certificate/certificate.hpp"
+#include "pipeline/models.hpp"
 
 namespace grafverif {
 
@@ -115,15 +118,68 @@ void add_witness(const std::string& property, const Circuit& circuit, pdr::Liter
             files.push_back({name + '.' + condition + ".lrat", std::move(*proof)});
         }
     } catch (const pdr::Exhausted&) {
-        certificate.omitted.push_back({property, "a limit ended the proof of the invariant"});
+        certificate.summary.omitted.push_back({property, "a limit ended the proof of its invariant"});
         return;
     } catch (const std::logic_error& flaw) {
-        certificate.omitted.push_back({property, std::string("the solver's proof is not accepted: ") + flaw.what()});
+        certificate.summary.omitted.push_back(
+            {property, std::string("the solver's proof is not accepted: ") + flaw.what()});
         return;
     }
     certificate.files.insert(certificate.files.end(), files.begin(), files.end());
-    certificate.certified.push_back(property);
-    certificate.kinds.push_back(CertificateKind::WitnessCircuit);
+    certificate.summary.certified.push_back({property, CertificateKind::WitnessCircuit});
+}
+
+void add_run(const std::string& property, const Circuit& circuit, pdr::Literal bad,
+             const std::vector<std::vector<bool>>& inputs, Certificate& certificate) {
+    Circuit whole = circuit;
+    // A line of the witness without inputs would be empty, so the number of its states would be unclear.
+    if (whole.inputs.empty()) whole.inputs.push_back({node_of(whole.gates.source()), "none"});
+    aiger::AigerText model = aiger::written(whole, {{property, bad, {}}}, aiger::Form::Ascii, aiger::Extent::Whole);
+    std::string run = "1\nb0\n" + std::string(model.latches.size(), '0') + '\n';
+    for (const std::vector<bool>& state : inputs) {
+        for (const std::size_t input : model.inputs) run += input < state.size() && state[input] ? '1' : '0';
+        run += '\n';
+    }
+    const std::string name = certificate::word_of(property);
+    certificate.files.push_back({name + ".model.aag", std::move(model.text)});
+    certificate.files.push_back({name + ".cex", run + ".\n"});
+    certificate.summary.certified.push_back({property, CertificateKind::Run});
+}
+
+void certify_again(const SystemToCheck& check, const Report& report, const CheckOptions& options,
+                   Certificate& certificate) {
+    CertificateSummary& summary = certificate.summary;
+    const auto is_listed = [&](const std::string& name) {
+        return std::ranges::find(summary.certified, name, &CertificateSummary::Certified::property) !=
+                   summary.certified.end() ||
+               std::ranges::find(summary.omitted, name, &CertificateSummary::Omitted::property) !=
+                   summary.omitted.end();
+    };
+    PdrOptions search;
+    for (const PropertyResult& answer : report.answers)
+        if (const std::string& name = answer.verdict.property;
+            answer.verdict.outcome != Outcome::Unknown && !is_listed(name) &&
+            std::ranges::find(check.system.properties, name, &Property::name) != check.system.properties.end())
+            search.properties.push_back(name);
+    set_limits(search, options.limits);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+    search.deadline = std::min(search.deadline.value_or(end), end);
+    search.method = PdrOptions::Method::Alternating;
+    const pdr::SolverLimits limits{search.max_memory, search.deadline, search.stop};
+    search.proved = [&](const auto&... invariant) { add_witness(invariant..., limits, certificate); };
+    search.shown = [&](const auto&... run) { add_run(run..., certificate); };
+    PdrResult found;
+    if (!search.properties.empty()) found = check_pdr(check.system, search);
+    for (const PropertyResult& answer : report.answers) {
+        const Verdict& verdict = answer.verdict;
+        const auto again = std::ranges::find(found.verdicts, verdict.property, &Verdict::property);
+        if (again != found.verdicts.end() && again->outcome != Outcome::Unknown && again->outcome != verdict.outcome)
+            certificate.failures.push_back("PDR and BMC contradict the verdict on `" + verdict.property + "`");
+        if (is_listed(verdict.property)) continue;
+        summary.omitted.push_back({verdict.property, verdict.outcome == Outcome::Unknown
+                                                         ? "the verdict is unknown"
+                                                         : "neither an invariant nor a run to a state shows it"});
+    }
 }
 
 }  // namespace grafverif

@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <iomanip>
 #include <sstream>
 
 #include "unit/app/run_program.hpp"
@@ -33,22 +32,20 @@ Certified certify(const std::string& folder) {
 std::string checksum(const std::string& text) {
     std::uint64_t hash = 0xcbf29ce484222325;
     for (const char byte : text) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
-    std::ostringstream digits;
-    digits << std::hex << std::setw(16) << std::setfill('0') << hash;
-    return std::move(digits).str();
+    return std::to_string(hash);
 }
 
 /// Writes a certificate with correct checksums; `claims` are the lines of the index after `network`.
 std::string write_certificate(const Folder& folder, const std::string& network, const std::string& claims) {
-    std::string index = "grafverif-certificate 1\nnetwork " + checksum(network) + '\n' + claims;
+    std::string index = "grafverif-certificate 2\nnetwork " + checksum(network) + '\n' + claims;
     index += "checksum " + checksum(index) + '\n';
     folder.write("network.txt", network);
     return fs::path(folder.write("certificate.txt", index)).parent_path().string();
 }
 
 constexpr const char* lamp =
-    "grafverif-network 1\nvariable ON 0 1 0\nprocess lamp\nlocation off\nlocation on\ninitial off\n"
-    "edge off on 1\nset ON 1\nproperty lit reachable ON\nproperty dark never ON\n";
+    "grafverif-network 2\nvariable ON 0 1 0\nprocess lamp 2 0\n"
+    "edge 0 1 1\nset ON 1\nproperty lit reachable ON\nproperty dark never ON\n";
 
 TEST(Certificate, ProvesTheVerdictsOfTheTestingStation) {
     const Folder folder;
@@ -127,7 +124,7 @@ closed_loop lamps {
 }
 )";
 
-TEST(Certificate, OmitsDeadlocksOfSubsystems) {
+TEST(Certificate, OmitsViolatedDeadlocksOfSubsystems) {
     const Folder folder;
     const std::string loop = folder.write("loop.grafcet", half_blocked);
     const Result separate = grafverif({"check", loop, "--certificate", folder.file("separate")});
@@ -140,7 +137,20 @@ TEST(Certificate, OmitsDeadlocksOfSubsystems) {
     const Certified certified = certify(folder.file("together"));
     EXPECT_EQ(certified.code, 0);
     EXPECT_NE(certified.out.find("moves: holds, proved by the states\n"), std::string::npos) << certified.out;
-    EXPECT_NE(certified.out.find("lit: violated, shown by a run\n"), std::string::npos) << certified.out;
+    EXPECT_NE(certified.out.find("lit/lit: violated, shown by a run\n"), std::string::npos) << certified.out;
+}
+
+TEST(Certificate, ProvesDeadlocksOfSubsystems) {
+    const Folder folder;
+    std::string text = half_blocked;
+    const std::string once = "environment PB = once(OUT = B);";
+    text.replace(text.find(once), once.size(), "environment PB = push_button(OUT = B);");
+    const Result result =
+        grafverif({"check", folder.write("loop.grafcet", text), "--certificate", folder.file("loop")});
+    EXPECT_NE(result.out.find("\n  sets of states of subsystems: moves\n"), std::string::npos) << result.out;
+    const Certified certified = certify(folder.file("loop"));
+    EXPECT_EQ(certified.code, 0) << certified.out;
+    EXPECT_NE(certified.out.find("moves: holds, proved by the states\n"), std::string::npos) << certified.out;
 }
 
 TEST(Certificate, NamesAnUnknownVerdictOfAnObserver) {
@@ -159,25 +169,17 @@ TEST(Certificate, NamesAllOmittedVerdictsOfAChart) {
                                            "transition u: 1 -> 0 when !A; }\n");
     const Result result = grafverif({"check", chart, "--engine", "pdr", "--certificate", folder.file("chart")});
     EXPECT_EQ(result.code, ExitCode::Done) << result.err;
-    EXPECT_NE(result.out.find("certificate: 0 of 3 verdicts"), std::string::npos) << result.out;
-    EXPECT_NE(result.out.find("stabilises is not certified: no invariant of PDR proves the verdict"),
+    EXPECT_NE(result.out.find("certificate: 2 of 3 verdicts"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("stabilises is not certified: the circuit does not contain the property"),
               std::string::npos);
-}
-
-TEST(Certificate, RequiresPdrForUntimedChecks) {
-    const Folder folder;
-    const Result result = grafverif({"check", station, "--untimed", "--certificate", folder.file("station")});
-    EXPECT_EQ(result.code, ExitCode::Input);
-    EXPECT_NE(result.err.find("for untimed models, only PDR writes certificates"), std::string::npos) << result.err;
-    EXPECT_FALSE(fs::exists(folder.file("station")));
 }
 
 TEST(Certify, AcceptsAShownRunAndRejectsAFalseClaim) {
     const Folder folder;
-    const Certified shown = certify(write_certificate(folder, lamp, "holds lit\ntake lamp 0\nend\n"));
+    const Certified shown = certify(write_certificate(folder, lamp, "holds lit\n1 1\nend\n"));
     EXPECT_EQ(shown.code, 0) << shown.out;
     EXPECT_NE(shown.out.find("lit: holds, shown by a run\ndark: not certified: no claim\n"), std::string::npos);
-    const Certified not_shown = certify(write_certificate(folder, lamp, "holds lit\ndelay 1\nend\n"));
+    const Certified not_shown = certify(write_certificate(folder, lamp, "holds lit\n0 0\nend\n"));
     EXPECT_EQ(not_shown.code, 1);
     EXPECT_EQ(not_shown.out, "rejected: the run of `lit` does not prove its verdict\n");
     const std::string states = "0 0 \n";
@@ -187,86 +189,144 @@ TEST(Certify, AcceptsAShownRunAndRejectsAFalseClaim) {
     EXPECT_EQ(open.out, "rejected: states.txt:1: the state has a successor that the file does not contain\n");
 }
 
-/// A race ends a run: neither an edge nor a delay may follow.
-TEST(Certify, RejectsRunsThatContinueAfterARace) {
+/// A model error ends a run: its edge has no successor.
+TEST(Certify, RejectsRunsWithAModelError) {
     const Folder folder;
     const std::string network =
-        "grafverif-network 1\nvariable R 0 1 0\nvariable B 0 1 0\nrace R\nprocess p\nlocation a\n"
-        "location b\nlocation c\ninitial a\nedge a b 1\nset R 1\nedge b c 1\nset R 0\nset B 1\n"
-        "property never_b never B\nproperty races reachable R\nproperty b inevitable B\n";
-    EXPECT_EQ(certify(write_certificate(folder, network, "holds races\ntake p 0\nend\n")).code, 0);
-    for (const std::string run :
-         {"violated never_b\ntake p 0\ntake p 1\nend\n", "holds races\ntake p 0\ndelay 1\nend\n",
-          "violated b\ntake p 0\nloop\ndelay 1\nend\n"}) {
+        "grafverif-network 2\nvariable R 0 0 0\nvariable B 0 1 0\nprocess p 3 0\nedge 0 1 1\nset R 1\n"
+        "edge 1 2 1\nset B 1\nproperty never_b never B\nproperty b inevitable B\n";
+    EXPECT_EQ(certify(write_certificate(folder, network, "violated b\n0 0 0\nend\n")).code, 0);
+    for (const std::string run : {"violated never_b\n0 0 1\n0 1 2\nend\n", "violated b\n0 0 1\nend\n"}) {
         const Certified certified = certify(write_certificate(folder, network, run));
         EXPECT_EQ(certified.code, 1) << run;
-        EXPECT_EQ(certified.out, "rejected: a run continues after a race\n") << run;
+        EXPECT_EQ(certified.out, "rejected: a state of a run is not a successor of the previous state\n") << run;
     }
+    const std::string states = "0 0 0 \n";
+    folder.write("states.txt", states);
+    const Certified holds =
+        certify(write_certificate(folder, network, "states " + checksum(states) + "\nholds never_b\n"));
+    EXPECT_EQ(holds.out, "rejected: a model error is possible: edge 0 (0) of `p` causes a model error\n");
 }
 
-/// The folder of a property proves only this property, so that each property has one result.
-TEST(Certify, RejectsFoldersOfOtherProperties) {
+/// Results of a folder begin with its name, so that they differ from the results of all other folders.
+TEST(Certify, NamesTheFolderOfAProperty) {
     const Folder folder;
-    const auto check = [&](const std::string& outer, const std::string& claims, const std::string& inner) {
-        const std::string states = "0 \n";
-        std::string index =
-            "grafverif-certificate 1\nnetwork " + checksum(inner) + "\nstates " + checksum(states) + "\nholds dark\n";
-        index += "checksum " + checksum(index) + '\n';
-        fs::create_directories(folder.file("dark"));
-        folder.write("dark/network.txt", inner);
-        folder.write("dark/states.txt", states);
-        folder.write("dark/certificate.txt", index);
-        return certify(write_certificate(folder, outer, claims));
+    const std::string dark = "grafverif-network 2\nprocess p 1 0\nproperty dark never 0\n", states = "0 \n";
+    std::string index =
+        "grafverif-certificate 2\nnetwork " + checksum(dark) + "\nstates " + checksum(states) + "\nholds dark\n";
+    index += "checksum " + checksum(index) + '\n';
+    fs::create_directories(folder.file("dark"));
+    folder.write("dark/network.txt", dark);
+    folder.write("dark/states.txt", states);
+    folder.write("dark/certificate.txt", index);
+    const Certified found = certify(write_certificate(folder, lamp, "also dark\n"));
+    EXPECT_EQ(found.code, 0);
+    EXPECT_NE(found.out.find("\ndark/dark: holds, proved by the states\ndark: not certified: no claim\n"),
+              std::string::npos)
+        << found.out;
+}
+
+/// Two processes; the second one writes a variable of the first one, and reads it.
+constexpr const char* pair =
+    "grafverif-network 2\nvariable A 0 1 0\nvariable B 0 1 0\nprocess p 2 0\nclock x\ninvariant 1 x <= 2\n"
+    "edge 0 1 A\nreset x\nedge 1 0 urgent B\nset A 0\nprocess q 2 0\nedge 0 1 1\nset B 1\nedge 1 0 1\nset B 0\n"
+    "property off never A\nproperty on always (= @q 0)\nproperty lives no-deadlock\n";
+
+TEST(Certify, ComputesTheMovesOfFragments) {
+    const Folder folder;
+    const auto check = [&](const std::string& states, const std::string& claims) {
+        fs::create_directories(folder.file("f"));
+        folder.write("f/states.txt", states);
+        return certify(write_certificate(folder, pair, "states " + checksum(states) + " f\n" + claims)).out;
     };
-    const std::string head = "grafverif-network 1\nprocess p\nlocation l\ninitial l\n";
-    const std::string dark = head + "property dark never 0\n";
-    EXPECT_EQ(check(head, "also dark\n", dark).code, 0);
-    EXPECT_EQ(check(lamp, "also dark\n", dark).out, "error: certificate.txt:3: two claims about `dark`\n");
-    EXPECT_EQ(check(head, "also dark\nalso dark\n", dark).out, "error: certificate.txt:4: two claims about `dark`\n");
-    EXPECT_EQ(check(head, "also dark\n", dark + "property lit reachable 1\n").out,
-              "error: certificate.txt:2: the network of the folder `dark` must have only the property `dark`\n");
+    EXPECT_NE(check("0 * 0 0 * \n", "holds off\n").find("off: holds, proved by the states\n"), std::string::npos);
+    // The process q is not in the states, so it may be in each location.
+    EXPECT_EQ(check("0 * 0 0 * \n", "holds on\n"), "rejected: f/states.txt:1: the state decides `on`\n");
+    EXPECT_EQ(check("0 * 0 0 * \n", "holds lives\n"),
+              "rejected: f/states.txt is incomplete, or a model error is possible\n");
+    EXPECT_EQ(check("0 * 0 0 0 \n", "holds on\n"),
+              "rejected: f/states.txt:1: the state has a successor that the file does not contain\n");
+    // An unknown variable may have each value: p can leave its location.
+    EXPECT_EQ(check("* * 0 0 * \n", "holds off\n"),
+              "rejected: f/states.txt:1: the state has a successor that the file does not contain\n");
+    EXPECT_EQ(check("0 * 0 0 * \n0 0 0 0 * \n", "holds off\n"), "rejected: f/states.txt:2: the state is invalid\n");
+    EXPECT_EQ(check("0 * 0 0 * \n0 * 0 0 * \n", "holds off\n"), "rejected: f/states.txt: the states are not sorted\n");
+    EXPECT_EQ(check("", "holds off\n"), "rejected: f/states.txt contains no state\n");
+}
+
+TEST(Certify, RejectsSubsystemsThatDependOnEachOther) {
+    const Folder folder;
+    const auto check = [&](const std::string& network, const std::vector<std::string>& parts) {
+        std::string claims;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const std::string name = "part" + std::to_string(i);
+            fs::create_directories(folder.file(name));
+            folder.write(name + "/states.txt", parts[i]);
+            claims += "subsystem " + checksum(parts[i]) + ' ' + name + '\n';
+        }
+        return certify(write_certificate(folder, network, claims + "holds lives\n")).out;
+    };
+    const std::string head = "grafverif-network 2\nvariable A 0 1 0\nvariable B 0 1 0\nprocess p 1 0\n";
+    const std::string apart = head +
+                              "edge 0 0 1\nset A (not A)\nprocess q 1 0\nedge 0 0 1\nset B (not B)\n"
+                              "property lives no-deadlock\n";
+    const std::string left = "0 * 0 * \n1 * 0 * \n", right = "* 0 * 0 \n* 1 * 0 \n";
+    EXPECT_NE(check(apart, {left, right}).find("lives: holds, proved by the states\n"), std::string::npos);
+    EXPECT_EQ(check(apart, {left}), "error: certificate.txt:4: the claim requires `states`\n");
+    const std::string reads = head +
+                              "edge 0 0 B\nset A (not A)\nprocess q 1 0\nedge 0 0 1\nset B (not B)\n"
+                              "property lives no-deadlock\n";
+    EXPECT_EQ(check(reads, {left, right}), "rejected: a subsystem reads a value of another one\n");
+    const std::string writes = head +
+                               "edge 0 0 1\nset A (not A)\nprocess q 1 0\nedge 0 0 1\nset A (not B)\n"
+                               "property lives no-deadlock\n";
+    EXPECT_EQ(check(writes, {left, right}), "rejected: an edge concerns several subsystems\n");
+    const std::string blocked = head +
+                                "edge 0 0 0\nset A (not A)\nprocess q 1 0\nedge 0 0 1\nset B (not B)\n"
+                                "property lives no-deadlock\n";
+    EXPECT_EQ(check(blocked, {"0 * 0 * \n", right}),
+              "rejected: part0/states.txt:1: the state violates `no deadlock`\n");
 }
 
 TEST(Certify, RejectsMalformedFilesWithAMessage) {
     const Folder folder;
-    const std::string head = "grafverif-network 1\nvariable V 0 1 0\nprocess p\nlocation l\n";
-    std::string nested = "edge l l ", chain = head + "define a0 V\n";
+    const std::string head = "grafverif-network 2\nvariable V 0 1 0\nprocess p 1 0\n";
+    std::string nested = "edge 0 0 ", chain = head + "define a0 V\n";
     for (int i = 0; i < 600; ++i) nested += "(not ";
     nested += "V" + std::string(600, ')') + '\n';
     for (int i = 1; i < 6000; ++i) chain += "define a" + std::to_string(i) + " (not a" + std::to_string(i - 1) + ")\n";
     const std::vector<std::pair<std::string, std::string>> networks = {
-        {"", "network.txt:0: this is not a network of version 1"},
-        {"grafverif-network 2\n", "network.txt:1: this is not a network of version 1"},
-        {"grafverif-network 1\nprocess p\n", "network.txt:2: a process has no initial location"},
-        {"grafverif-network 1\nvariable V 0 9999999999999999999999 0\n",
-         "network.txt:2: `9999999999999999999999` is not a number or is out of range"},
-        {head + "initial l\nprocess q\nlocation l\n", "network.txt:7: a process has no initial location"},
-        {head + "variable V 0 1 0\n", "network.txt:5: `term V` is declared twice"},
-        {head, "network.txt:4: a process has no initial location"},
-        {head + "location l\n", "network.txt:5: `location p l` is declared twice"},
-        {head + "process q\nclock x\nclock x\n", "network.txt:7: `clock q x` is declared twice"},
-        {head + "clock x\n", "network.txt:5: unexpected `clock`"},
-        {head + "cap x 1\n", "network.txt:5: unknown word"},
-        {head + "process q\ncap x 1\n", "network.txt:6: unexpected `cap`"},
-        {head + "process q\nclock x\nlocation l\ncap x -1\n", "network.txt:8: `-1` is not a number or is out of range"},
-        {head + "edge l l (at p l V)\n", "network.txt:5: wrong number of operands"},
-        {head + "edge l l (at p m)\n", "network.txt:5: unknown word"},
-        {head + "initial l\ninitial l\n", "network.txt:6: `initial p` is declared twice"},
-        {head + "race V\nrace 0\n", "network.txt:6: `race` is declared twice"},
-        {head + "settled 1\nsettled 0\n", "network.txt:6: `settled` is declared twice"},
-        {head + "property a always 1\nproperty a always V\n", "network.txt:6: `property a` is declared twice"},
-        {"grafverif-network 1\nprocess p\nlocation l\nprocess p\n", "network.txt:4: `process p` is declared twice"},
-        {head + "variable W 0 1 2\n", "network.txt:5: `2` is not a number or is out of range"},
-        {head + "edge l m 1\n", "network.txt:5: unknown word"},
-        {head + "edge l l (and V\n", "network.txt:5: the line is incomplete"},
-        {head + "edge l l (not V V)\n", "network.txt:5: wrong number of operands"},
-        {head + "edge l l W\n", "network.txt:5: unknown variable or term"},
-        {head + "edge l l V V\n", "network.txt:5: unexpected `V`"},
-        {head + "set V 1\n", "network.txt:5: unexpected `set`"},
-        {head + "property p stable always V\n", "network.txt:5: `settled` is not defined"},
-        {head + "edge l l V", "network.txt:4: the last line is incomplete"},
-        {head + nested, "network.txt:5: parentheses are nested too deeply"},
-        {chain, "network.txt:5005: a term is nested too deeply"},
+        {"", "network.txt:0: expected `grafverif-network 2`"},
+        {"grafverif-network 1\n", "network.txt:1: expected `grafverif-network 2`"},
+        {"grafverif-network 2\nprocess p\n", "network.txt:2: the line is incomplete"},
+        {"grafverif-network 2\nprocess p 0 0\n", "network.txt:2: `0` is not a number, or too large or small"},
+        {"grafverif-network 2\nprocess p 2 2\n", "network.txt:2: `2` is not a number, or too large or small"},
+        {"grafverif-network 2\nvariable V 0 9999999999999999999999 0\n",
+         "network.txt:2: `9999999999999999999999` is not a number, or too large or small"},
+        {"grafverif-network 2\nvariable V -9223372036854775808 0 0\n",
+         "network.txt:2: `-9223372036854775808` is not a number, or too large or small"},
+        {head + "variable V 0 1 0\n", "network.txt:4: `term V` is declared twice"},
+        {head + "clock x\nclock x\n", "network.txt:5: `clock p x` is declared twice"},
+        {head + "invariant 1 x <= 1\n", "network.txt:4: `1` is not a number, or too large or small"},
+        {head + "invariant 0 x <= 1\n", "network.txt:4: unknown clock p x"},
+        {head + "clock x\ninvariant 0 x != 1\n", "network.txt:5: invalid relation"},
+        {head + "location l\n", "network.txt:4: unexpected `location`"},
+        {head + "settled 1\nsettled 0\n", "network.txt:5: `settled` is declared twice"},
+        {head + "property a always 1\nproperty a always V\n", "network.txt:5: `property a` is declared twice"},
+        {head + "process p 1 0\n", "network.txt:4: `term @p` is declared twice"},
+        {head + "variable W 0 1 2\n", "network.txt:4: `2` is not a number, or too large or small"},
+        {head + "edge 0 1 1\n", "network.txt:4: `1` is not a number, or too large or small"},
+        {head + "edge 0 0 (and V\n", "network.txt:4: the line is incomplete"},
+        {head + "edge 0 0 (not V V)\n", "network.txt:4: wrong number of operands"},
+        {head + "edge 0 0 (at V V)\n", "network.txt:4: unknown operator at"},
+        {head + "edge 0 0 W\n", "network.txt:4: unknown term W"},
+        {head + "edge 0 0 V V\n", "network.txt:4: unexpected `V`"},
+        {head + "edge 0 0 V\nset @p 0\n", "network.txt:5: unknown variable @p"},
+        {head + "set V 1\n", "network.txt:4: unexpected `set`"},
+        {head + "property p stable always V\n", "network.txt:4: `settled` is not defined"},
+        {head + "edge 0 0 V", "network.txt:3: the last line is incomplete"},
+        {head + nested, "network.txt:4: parentheses are nested too deeply"},
+        {chain, "network.txt:5004: a term is too deep"},
     };
     for (const auto& [network, message] : networks) {
         const Certified found = certify(write_certificate(folder, network, ""));
@@ -274,7 +334,7 @@ TEST(Certify, RejectsMalformedFilesWithAMessage) {
         EXPECT_EQ(found.out, "error: " + message + '\n') << network.substr(0, 200);
     }
     const std::vector<std::pair<std::string, std::string>> indices = {
-        {"holds missing\n", "certificate.txt:3: unknown word"},
+        {"holds missing\n", "certificate.txt:3: unknown property missing"},
         {"holds dark\n", "certificate.txt:3: the claim requires `states`"},
         {"proves lit\n", "certificate.txt:3: unknown line"},
         {"omitted lit late\rlit: holds, proved by the states\n",
@@ -284,8 +344,9 @@ TEST(Certify, RejectsMalformedFilesWithAMessage) {
          "certificate.txt:3: the line contains a control character"},
         {"also ../other\n", "certificate.txt:3: invalid folder"},
         {"also .other\n", "certificate.txt:3: invalid folder"},
-        {"holds lit\ntake lamp 7\nend\n", "certificate.txt:4: `7` is not a number or is out of range"},
-        {"holds lit\ntake lamp 0\nend\nholds lit\ntake lamp 0\nend\n", "certificate.txt:6: two claims about `lit`"},
+        {"holds lit\n7 1\nend\n", "certificate.txt:4: `7` is not a number, or too large or small"},
+        {"holds lit\n1 1\nend\nholds lit\n1 1\nend\n", "certificate.txt:6: two claims about `lit`"},
+        {"reacts other\n", "certificate.txt:3: unknown process other"},
         {"states 0\n", folder.file("states.txt") + ": no such file"},
     };
     for (const auto& [claims, message] : indices) {
@@ -296,28 +357,24 @@ TEST(Certify, RejectsMalformedFilesWithAMessage) {
     EXPECT_EQ(certify(folder.file("missing")).code, 2);
 }
 
-/// An extremely long delay and a folder that contains itself cause an error message, not an endless check.
+/// A folder that contains itself ends with a message.
 TEST(Certify, BoundsItsWork) {
     const Folder folder;
-    const Certified waits = certify(write_certificate(folder, lamp, "holds lit\ndelay 4611686018427387904\nend\n"));
-    EXPECT_EQ(waits.code, 2);
-    EXPECT_EQ(waits.out, "error: certificate.txt:4: `4611686018427387904` is not a number or is out of range\n");
     const std::string path = write_certificate(folder, lamp, "also again\n");
     fs::create_directory_symlink(path, fs::path(path) / "again");
     const Certified endless = certify(path);
     EXPECT_EQ(endless.code, 2);
-    EXPECT_EQ(endless.out,
-              "error: certificate.txt:2: the network of the folder `again` must have only the property `again`\n");
+    EXPECT_NE(endless.out.find("no such file"), std::string::npos) << endless.out;
 }
 
-/// The certificate has 500,000 states, in the worst order for a repeated search for predecessors.
+/// 500,000 states.
 TEST(Certify, ChecksLongPathsInLinearTime) {
     const Folder folder;
     const std::string network =
-        "grafverif-network 1\nvariable V 0 500000 0\nprocess p\nlocation l\ninitial l\n"
-        "edge l l urgent (< V 500000)\nset V (+ V 1)\nproperty ends inevitable (= V 500000)\n";
+        "grafverif-network 2\nvariable V 0 500000 0\nprocess p 1 0\n"
+        "edge 0 0 urgent (< V 500000)\nset V (+ V 1)\nproperty ends inevitable (= V 500000)\n";
     std::string states;
-    for (int i = 500'000; i >= 0; --i) states += std::to_string(i) + " 0 \n";
+    for (int i = 0; i <= 500'000; ++i) states += std::to_string(i) + " 0 \n";
     folder.write("states.txt", states);
     const Certified certified =
         certify(write_certificate(folder, network, "states " + checksum(states) + "\nholds ends\n"));

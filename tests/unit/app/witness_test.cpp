@@ -213,6 +213,97 @@ TEST(Certificate, WitnessCircuitsOfPdrAreInductive) {
     EXPECT_GT(rejected, damages / 2);
 }
 
+/// Returns the reason why the witness of a run does not show that `bad` of the model is true in the last state, or an
+/// empty string. Reads the format of AIGER witnesses and simulates the circuit by the specification alone.
+std::string run_flaw(const std::string& model_text, const std::string& witness) {
+    const AigerFile model = read_aiger(model_text);
+    if (!model.error_text.empty()) return "model";
+    std::istringstream in(witness);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    if (lines.size() < 5 || lines[0] != "1" || lines[1] != "b0" || lines.back() != ".") return "syntax";
+    if (lines[2] != std::string(model.latches.size(), '0')) return "initial state";
+    std::vector<std::vector<bool>> inputs;
+    for (const std::string& line : std::span(lines).subspan(3, lines.size() - 4)) {
+        if (line.size() != model.inputs.size() || line.find_first_not_of("01") != std::string::npos) return "inputs";
+        std::vector<bool>& state = inputs.emplace_back();
+        for (const char value : line) state.push_back(value == '1');
+    }
+    return aiger_value(aiger_run(model, inputs).back(), model.bads.at(0)) ? "" : "not bad";
+}
+
+/// Every untimed engine writes a run or a witness circuit for each verdict about states.
+TEST(Certificate, EachUntimedEngineCertifiesVerdictsAboutStates) {
+    const Folder folder;
+    const std::string loop = folder.write(
+        "loop.grafcet",
+        "grafcet lamp { input ON; output LAMP; initial step 0; step 1 { LAMP; } transition on: 0 -> 1 when ON; "
+        "transition off: 1 -> 0 when !ON; }\n"
+        "closed_loop room { controller lamp; environment a = free(OUT = ON); property dark: never LAMP;\n"
+        "property lit: reachable LAMP; property one: exactly one of {X0, X1}; property ends: inevitable LAMP; }\n");
+    int damaged = 0, rejected = 0;
+    for (const std::string engine : {"auto", "symbolic", "pdr", "bmc"}) {
+        SCOPED_TRACE(engine);
+        const Result result =
+            grafverif({"check", loop, "--untimed", "--engine", engine, "--certificate", folder.file(engine)});
+        for (const std::string name : {"dark", "lit"}) {
+            const std::string model = folder.read(engine + "/" + name + ".model.aag");
+            const std::string run = folder.read(engine + "/" + name + ".cex");
+            EXPECT_EQ(run_flaw(model, run), "") << result.out << result.err;
+            for (std::size_t k = 0; k < run.size(); ++k) {
+                std::string changed = run;
+                if (run[k] == '\n') changed.erase(k, 1);
+                else changed[k] = run[k] == '1' ? '0' : '1';
+                ++damaged;
+                rejected += run_flaw(model, changed).empty() ? 0 : 1;
+            }
+        }
+        EXPECT_NE(result.out.find("\n  run: dark, lit\n"), std::string::npos) << result.out;
+        if (engine == "bmc") {  // BMC decides no invariant
+            EXPECT_NE(result.out.find("one is not certified: the verdict is unknown"), std::string::npos) << result.out;
+            continue;
+        }
+        EXPECT_EQ(flaw(folder.read(engine + "/one.model.aag"), folder.read(engine + "/one.witness.aag")), "");
+    }
+    EXPECT_GT(rejected, damaged / 2);
+}
+
+TEST(Certificate, RunsOfRandomSystemsReachTheirStates) {
+    int runs = 0, other_models = 0, rejected = 0;
+    std::string previous;
+    for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(test_size(100)); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        TransitionSystem system = random_system(random);
+        ask_more(system, random);
+        for (const PdrOptions::Method method : {PdrOptions::Method::Pdr, PdrOptions::Method::Bmc}) {
+            Certificate certificate;
+            PdrOptions options;
+            options.method = method;
+            options.max_steps = 20;
+            options.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(100);
+            options.shown = [&](const auto&... run) { add_run(run..., certificate); };
+            check_pdr(system, options);
+            for (const CertificateSummary::Certified& one : certificate.summary.certified) {
+                const auto read = [&](const std::string& end) {
+                    return std::ranges::find(certificate.files, certificate::word_of(one.property) + end,
+                                             &Certificate::File::path)
+                        ->content;
+                };
+                EXPECT_EQ(run_flaw(read(".model.aag"), read(".cex")), "") << one.property;
+                ++runs;
+                if (!previous.empty()) {
+                    ++other_models;
+                    rejected += run_flaw(previous, read(".cex")).empty() ? 0 : 1;
+                }
+                previous = read(".model.aag");
+            }
+        }
+    }
+    EXPECT_GT(runs, test_size(100));
+    EXPECT_GT(rejected, other_models / 3);
+}
+
 TEST(Certificate, WitnessCircuitsOfRandomSystemsAreInductive) {
     int witnesses = 0;
     for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(test_size(100)); ++seed) {
@@ -225,7 +316,8 @@ TEST(Certificate, WitnessCircuitsOfRandomSystemsAreInductive) {
         options.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(200);
         options.proved = [&](const auto&... invariant) { add_witness(invariant..., {}, certificate); };
         check_pdr(system, options);
-        for (const std::string& property : certificate.certified) {
+        for (const CertificateSummary::Certified& certified : certificate.summary.certified) {
+            const std::string& property = certified.property;
             ++witnesses;
             const auto read = [&](const std::string& end) {
                 return std::ranges::find(certificate.files, certificate::word_of(property) + end,

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Sets of states of fragments and subsystems of a network, as `grafverif-certify` checks them (src/certify/semantics.hpp).
+// This search has the semantics of that program, but shares no code with it. Its results are not trusted.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "grafverif/ir/network.hpp"
+
+namespace grafverif {
+
+/// What the states of a fragment contain. All other variables, locations and clocks are unknown.
+struct FragmentContent {
+    std::vector<bool> variables = {};              ///< per variable
+    std::vector<bool> locations = {};              ///< per process: its location
+    std::vector<bool> clocks = {};                 ///< per process: its clocks
+    std::set<Id<Network::Process>> reacting = {};  ///< omitted processes whose urgent edges also stop time
+    bool subsystem = false;                        ///< no other process moves, and no unknown value is read
+};
+
+/// Returns the content with all values of a network.
+FragmentContent complete_content(const Network& flat);
+
+struct FragmentLimits {
+    std::uint64_t states = std::uint64_t{1} << 20U;
+    std::uint64_t attempts = std::uint64_t{1} << 23U;  ///< number of attempted moves
+    std::optional<std::chrono::steady_clock::time_point> deadline = {};
+    const std::atomic<bool>* stop = nullptr;
+};
+
+struct FragmentStates {
+    std::vector<std::vector<std::int64_t>> states = {};  ///< in the form of certificate::state_values
+    std::set<std::string> errors = {};                   ///< the model errors that are possible in the fragment
+};
+
+/// Returns the states of a fragment that runs reach. The result is empty if a limit is reached, if a subsystem depends
+/// on another one, or if some state decides `property` (violates it; for `reachable`: satisfies it). `property` may be
+/// null. Requires that `flat` is expanded.
+std::optional<FragmentStates> fragment_states(const Network& flat, const FragmentContent& content,
+                                              const Property* property, const FragmentLimits& limits);
+
+}  // namespace grafverif

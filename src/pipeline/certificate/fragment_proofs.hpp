@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Proofs of verdicts by fragments of a network (fragment.hpp), for networks with too many states for a complete search.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "grafverif/ir/verdict.hpp"
+#include "ir/network_fragments.hpp"
+#include "pipeline/certificate/fragment.hpp"
+
+namespace grafverif {
+
+class FragmentProofs {
+public:
+    struct Proof {
+        FragmentContent content = {};
+        FragmentStates found = {};
+        std::optional<Property> property = {};  ///< the proved property; empty if the states only exclude model errors
+    };
+
+    /// `flat` is expanded. Both arguments must outlive the object.
+    FragmentProofs(const Network& flat, const FragmentLimits& limits);
+
+    /// Proves a verdict on single states that a search of fragments, of subsystems, or of an input abstraction has
+    /// decided without a run. Returns false if no fragment is found.
+    bool prove(const Verdict& reported, const Property& property);
+    /// Adds fragments until each model error is excluded by some fragment. Returns false if this is not possible.
+    bool exclude_errors();
+    const std::vector<Proof>& proofs() const { return proofs_; }
+
+    /// Returns the states of each subsystem, which prove `no deadlock`. Returns nothing if a subsystem is unsuitable.
+    std::optional<std::vector<FragmentStates>> subsystems() const;
+
+private:
+    bool add(const FragmentContent& content, const Property* property);
+    bool prove_by_cells(std::vector<std::uint32_t> chosen, const Property* property);
+    FragmentContent content_of(const LocalNetwork& local) const;
+    FragmentContent content_of_parts(const std::vector<std::uint32_t>& chosen) const;
+    bool prove_by_inputs(const InputsAbstracted& reduced, const Property& property);
+
+    const Network& flat_;
+    const FragmentLimits& limits_;
+    NetworkFragments cells_;
+    std::vector<Proof> proofs_ = {};
+};
+
+}  // namespace grafverif
