@@ -114,13 +114,19 @@ private:
             return position - first < changes.size() ? &changes[position - first] : nullptr;
         }
     };
+    /// Time of an instant if the controller reacts immediately: `time` plus the value of the variable `clock`.
+    struct TypicalTime {
+        Ticks time = 0;
+        std::size_t clock = 0;
+        std::uint64_t number = 0;  ///< number of the instant
+    };
     /// An instant of a timing, and the instants before it, as far as they are stored.
     struct Instant {
         std::shared_ptr<Instant> previous = {};
         std::shared_ptr<const Reaction> reaction = {};
         std::vector<std::int64_t> inputs = {};
-        Ticks time = 0;  ///< a typical time of the instant
-        std::uint64_t number = 0;
+        TypicalTime typical = {};
+        Zone zone = {};  ///< the instant, as the variable `last`, and the clocks
     };
     struct Hypothesis {
         StatePointer state = {};
@@ -133,7 +139,7 @@ private:
         /// For each output signal: zone variable of the first instant whose change of the output is not recorded yet,
         /// or 0 if there is no such instant.
         std::vector<std::size_t> hidden = {};
-        std::vector<Ticks> typical = {};  ///< for each variable of the zone: a typical time, to be printed
+        std::vector<TypicalTime> typical = {};  ///< for each instant of the zone
         std::shared_ptr<Instant> history = {};
     };
     /// The end of the timing that explains the longest part of the recording.
@@ -147,6 +153,12 @@ private:
     /// The limit that ended the check: number of hypotheses, number of reactions between two samples, or a stop by the
     /// caller.
     enum class Limit : std::uint8_t { None, Orders, Reactions, Stopped };
+    /// The stored instants of a hypothesis, oldest first, and their times for offsets of the clocks.
+    struct ShownTiming {
+        std::vector<const Instant*> instants = {};
+        std::vector<Ticks> times = {};
+        std::vector<Ticks> clocks = {};  ///< values of the first variables of the zone; 0 for an instant
+    };
     class Expansion;
 
     void begin(const RecordedSample& sample);
@@ -162,9 +174,11 @@ private:
     void poll();
     std::uint64_t line_at(Ticks time) const;
     std::int64_t microseconds(Ticks time) const;
-    Deviation deviation() const;
-    void add_run(const Hypothesis& hypothesis, RecordingVerdict& verdict) const;
-    std::vector<ClockOffset> offsets() const;
+    void explain_end(RecordingVerdict& verdict) const;
+    Deviation deviation(const ShownTiming& timing) const;
+    ShownTiming timing(const Hypothesis& hypothesis, Zone zone) const;
+    void add_run(const ShownTiming& timing, RecordingVerdict& verdict) const;
+    std::vector<ClockOffset> offsets(const std::vector<Zone>& zones) const;
 
     const Chart& source_;
     RecordingSettings settings_;
