@@ -31,7 +31,7 @@ struct RecordingOptions {
     /// samples before an invalid line. False: read the log until each chart has a verdict, and report the errors of all
     /// lines.
     bool stop_early = false;
-    std::uint64_t shown_instants = 16;  ///< minimum number of instants in the runs of the report
+    std::uint64_t shown_instants = printed_instants;  ///< minimum number of instants in the runs of the report
     Limits limits = {};
 };
 

@@ -55,7 +55,7 @@ struct RecordingSettings {
     Ticks jitter = 20'000;
     Ticks ticks_per_ms = 1'000;
     std::size_t most_hypotheses = 10'000;
-    std::uint64_t shown_instants = 16;                 ///< minimum number of stored instants of a long timing
+    std::uint64_t shown_instants = printed_instants;   ///< minimum number of stored instants of a long timing
     std::size_t table_bytes = std::size_t{64} << 20U;  ///< approximate size of the tables of reactions
     std::function<bool()> stopped = {};                ///< returns true if the check must end; may be empty
     std::vector<Ticks> clocks = {};                    ///< for each further clock: maximum absolute value of its offset

@@ -380,6 +380,36 @@ TEST(Replay, ReportsDeviationsAsJson) {
     EXPECT_EQ(deviation["trace"]["steps"].size(), 2U);
 }
 
+TEST(Replay, PrintsTheSameRunWithAndWithoutAReport) {
+    const Folder folder;
+    const std::string file = folder.write("pump.grafcet", pump);
+    std::string log = head;
+    for (int k = 1; k <= 40; ++k) {
+        const std::string second = std::to_string(10 * k);
+        log += second + ",1,,1,," + (k == 1 ? "4" : "") + "\n" + second + ".2,0,,,,\n" + second + ".5,,1,0,,\n" +
+               second + ".7,,0,,,\n";
+    }
+    log = folder.write("log.csv", log + "500,,,1,,\n510,,,,,\n");
+    for (const char* const format : {"json", "text"}) {
+        const auto printed = [&](std::vector<std::string> options) {
+            options.insert(options.begin(), {"replay", file, "--log", log, "--format", format});
+            const Result result = grafverif(options);
+            EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
+            return result.out;
+        };
+        const std::string text = printed({});
+        EXPECT_EQ(printed({"--report", folder.file("page.html")}), text);
+        if (format == std::string("text")) {
+            EXPECT_NE(text.find("explains most of it ends with:\n"), std::string::npos) << text;
+            continue;
+        }
+        const auto deviation = nlohmann::json::parse(text)["charts"][0]["deviation"];
+        EXPECT_EQ(deviation["complete"], false);
+        EXPECT_EQ(deviation["trace"]["steps"].size(), 16U);
+    }
+    EXPECT_NE(folder.read("page.html").find("Play the run up to the deviation"), std::string::npos);
+}
+
 TEST(Replay, WritesAReportWithTheRun) {
     const Folder folder;
     const std::string file =
