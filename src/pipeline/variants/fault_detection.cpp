@@ -151,6 +151,38 @@ std::vector<std::size_t> FaultDetection::candidates(const std::vector<std::uint3
     return found;
 }
 
+std::string FaultDetection::declared(std::size_t pair) const {
+    const std::size_t literals = 2 * signals_.size();
+    const std::size_t first = pair / literals, second = pair % literals;
+    const auto is_read = [&](const Expr& leaf) {
+        return leaf.op == Op::Variable &&
+               (signals_[first / 2].variable.index == leaf.value || signals_[second / 2].variable.index == leaf.value);
+    };
+    for (const Property& property : network_.properties) {
+        if (!property.at_stable || (property.pattern != Pattern::Always && property.pattern != Pattern::Never))
+            continue;
+        if (!std::ranges::all_of(leaves(network_.exprs, property.operands.front()),
+                                 [&](Id<Expr> leaf) { return is_read(network_.exprs[leaf]); }))
+            continue;
+        NetworkState state;
+        state.variables.resize(network_.variables.size());
+        // The pair is the only combination of values of its variables that violates the property.
+        bool same = true;
+        for (std::size_t bits = 0; bits < 4; ++bits) {
+            state.variables[signals_[first / 2].variable.index] = bits & 1;
+            state.variables[signals_[second / 2].variable.index] = bits >> 1;
+            const auto is_true = [&](std::size_t k) {
+                return (state.variables[signals_[k / 2].variable.index] != 0) == (k % 2 == 0);
+            };
+            const auto condition = value(network_, state, property.operands.front());
+            const bool violated = condition && (*condition != 0) == (property.pattern == Pattern::Never);
+            same = same && violated == (is_true(first) && is_true(second));
+        }
+        if (same) return property.name;
+    }
+    return {};
+}
+
 FaultDetection::Proposal FaultDetection::observer(const std::string& name, const Network& faulty,
                                                   const std::string& instance, const Decide& decide_normal,
                                                   const Decide& decide_faulty) const {
@@ -191,10 +223,12 @@ FaultDetection::Proposal FaultDetection::observer(const std::string& name, const
         return proposal;
     const auto text = [&](std::size_t k) { return (k % 2 == 0 ? "" : "!") + signals_[k / 2].name; };
     const std::size_t first = *chosen / literals, second = *chosen % literals;
-    proposal.observer = FaultAnalysis::Observer{fmt::format("property {}: never {}{} at stable;", name, text(first),
-                                                            first == second ? "" : " && " + text(second)),
-                                                in_every_run(*chosen),
-                                                {}};
+    const std::string declared = this->declared(*chosen);
+    proposal.observer = FaultAnalysis::Observer{
+        .property = fmt::format("property {}: never {}{} at stable;", declared.empty() ? name : declared, text(first),
+                                first == second ? "" : " && " + text(second)),
+        .in_every_run = in_every_run(*chosen),
+        .declared = declared};
     if (proposal.observer->in_every_run != Outcome::Holds) return proposal;
     proposal.limit.clear();  // no other condition would be preferred
     proposal.observer->within_ms =

@@ -65,8 +65,9 @@ public:
         std::string limit = {};
     };
     /// Returns a property of the considered form with the name `name` that reveals the fault. If several properties do,
-    /// a property that is violated in every run with the fault is preferred. `decide` must be a check of the loop
-    /// without faults or of the loop with the announced fault.
+    /// a property that is violated in every run with the fault is preferred. If the loop declares a property with the
+    /// same condition, the result is this property. `decide` must be a check of the loop without faults or of the loop
+    /// with the announced fault.
     Proposal observer(const std::string& name, const Network& faulty, const std::string& instance,
                       const Decide& decide_normal, const Decide& decide_faulty) const;
 
@@ -78,6 +79,9 @@ private:
     /// Returns the literals and pairs, k * literals + l, that are true only with the fault. Those that are true in most
     /// states are first.
     std::vector<std::size_t> candidates(const std::vector<std::uint32_t>& with_fault) const;
+    /// Returns the name of a declared property that is violated in exactly the quiescent states in which the pair is
+    /// true; empty if there is none.
+    std::string declared(std::size_t pair) const;
 
     const Network& network_;
     Limits limits_;
