@@ -23,6 +23,7 @@ struct FaultAnalysis {
         /// Holds if, in every run in which the fault occurs, the property is violated after the fault has occurred.
         Outcome in_every_run = Outcome::Unknown;
         std::optional<std::int64_t> within_ms = {};  ///< the longest time from the fault to the violation
+        std::string declared = {};  ///< its name if the loop declares it; empty for a proposed property
         bool operator==(const Observer&) const = default;
     };
     /// Names of the visible elements (steps and Boolean outputs of controllers) that a fault affects.

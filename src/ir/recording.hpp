@@ -3,6 +3,7 @@
 // run/recording/recording_check.hpp defines which timings of a recording are admissible.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -68,6 +69,9 @@ struct RecordedProperty {
 
     bool operator==(const RecordedProperty&) const = default;
 };
+
+/// Maximum number of instants of a run in text and JSON.
+constexpr std::size_t printed_instants = 16;
 
 /// Verdicts of several charts for one recording.
 struct RecordingReport {

@@ -76,9 +76,9 @@ std::vector<std::uint64_t> run(std::deque<StagedSearch*> searches, const Limits&
     return earlier;
 }
 
-TimedResult search(const LoopToCheck& loop, const CheckOptions& options) {
+TimedResult search(const LoopToCheck& loop, const CheckOptions& options, AdditionalResults additional = {}) {
     const Observe nothing = std::identity{};
-    StagedSearch search(loop, nothing, loop.network, options);
+    StagedSearch search(loop, nothing, loop.network, options, additional);
     run({&search}, options.limits);
     return search.result();
 }
@@ -258,9 +258,9 @@ void put_in_order(const Network& network, std::vector<PropertyResult>& answers) 
     std::ranges::stable_sort(answers, {}, [](const PropertyResult& answer) { return answer.verdict.about.index; });
 }
 
-Report checked(const LoopToCheck& loop, const CheckOptions& options, bool explains) {
+Report checked(const LoopToCheck& loop, const CheckOptions& options, bool explains, AdditionalResults additional) {
     const std::vector<Id<Property>> by_observers = watched(loop.network);
-    if (by_observers.empty()) return Reporter(loop, options, explains).report(search(loop, options));
+    if (by_observers.empty()) return Reporter(loop, options, explains).report(search(loop, options, additional));
 
     const auto is_requested = [&](Id<Property> id) {
         const std::string& name = loop.network.properties[id].name;
@@ -273,11 +273,14 @@ Report checked(const LoopToCheck& loop, const CheckOptions& options, bool explai
                                    [&](Id<Property> id) { return loop.network.properties[id].name == name; });
     });
     const bool only_watched = rest.properties.empty() && !options.properties.empty();
-    if (only_watched) rest.properties = {"no_timelock"};
+    if (only_watched) {
+        rest.properties = {"no_timelock"};
+        additional.timelock = true;
+    }
     const LoopToCheck unwatched{alone, loop.charts, loop.disabled_corrections, loop.finest, loop.prove};
     const Observe nothing = std::identity{};
-    StagedSearch search(unwatched, nothing, alone, rest);
-    // If all requested properties have observers, this search can only add a note about a timelock.
+    StagedSearch search(unwatched, nothing, alone, rest, additional);
+    // If all requested properties have observers, a timelock only causes a note.
     if (only_watched) search.make_brief();
     std::deque<StagedSearch*> searches{&search};
     std::deque<WatchedCheck> checks;
@@ -295,10 +298,10 @@ Report checked(const LoopToCheck& loop, const CheckOptions& options, bool explai
 
 }  // namespace
 
-Report check(const LoopToCheck& loop, const CheckOptions& options) { return checked(loop, options, true); }
+Report check(const LoopToCheck& loop, const CheckOptions& options) { return checked(loop, options, true, {}); }
 
-Report check_without_causes(const LoopToCheck& loop, const CheckOptions& options) {
-    return checked(loop, options, false);
+Report check_without_causes(const LoopToCheck& loop, const CheckOptions& options, bool timelock) {
+    return checked(loop, options, false, {.timelock = timelock, .profile = false});
 }
 
 std::optional<Report> check(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how,

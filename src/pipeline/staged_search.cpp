@@ -97,17 +97,16 @@ StateProver prover_by_pdr(AbstractionTranslator system_of) {
 }
 
 StagedSearch::StagedSearch(const LoopToCheck& loop, const Observe& observe, const Network& network,
-                           const CheckOptions& options, bool timelock)
+                           const CheckOptions& options, AdditionalResults additional)
     : is_watched_(&network != &loop.network),
       in_steps_(!options.whole),
       loop_(loop),
       observe_(observe),
       network_(network),
       options_(timed_options(loop, options)) {
-    options_.timelock = timelock && !is_watched_;
-    if (!is_watched_) return;
-    // The report contains the state profile of the loop without observers. Therefore a search with an observer computes
-    // no profile.
+    // The profile in a report is that of the loop without observers.
+    options_.timelock = additional.timelock && !is_watched_;
+    if (additional.profile && !is_watched_) return;
     options_.profile = ProfileFor::None;
     options_.many = {};
 }

@@ -25,9 +25,18 @@ namespace grafverif {
 /// Returns the options of the engine for a check of `loop`. `options` must outlive the result.
 TimedOptions timed_options(const LoopToCheck& loop, const CheckOptions& options);
 
+/// Results of a search in addition to the verdicts on the requested properties.
+struct AdditionalResults {
+    /// Verdict on `no timelock` if it is not declared. Without it, a search for properties about single states needs
+    /// fewer states, and the store contains no edges.
+    bool timelock = true;
+    bool profile = true;  ///< state profile of a large search
+};
+
 /// Checks a loop in the same way as `check` (pipeline/check.hpp), but does not search for the causes of violations and
-/// of unreachable steps.
-Report check_without_causes(const LoopToCheck& loop, const CheckOptions& options);
+/// of unreachable steps, and computes no state profile. If `timelock` is false, an undeclared `no timelock` has no
+/// verdict.
+Report check_without_causes(const LoopToCheck& loop, const CheckOptions& options, bool timelock = true);
 
 /// Returns a prover that decides properties by PDR on the model that `system_of` returns for an abstraction. Copies of
 /// the prover share the result that no model error is possible. Therefore all abstractions must be abstractions of the
@@ -36,12 +45,11 @@ StateProver prover_by_pdr(AbstractionTranslator system_of);
 
 class StagedSearch {
 public:
-    /// `observe` is the function that created `network` from the loop: it adds the observer of the only property, or it
-    /// changes nothing. Localization is not used for a network with an observer, because the observer reads the
-    /// complete loop. All references must outlive the search. If `timelock` is true, the search also decides `no
-    /// timelock` if the loop does not declare it, except in a network with an observer.
+    /// `observe` builds `network` from the loop: it adds the observer of the only property, or it changes nothing.
+    /// Localization does not apply to an observer, which reads the complete loop. All references must outlive the
+    /// search. A search of a network with an observer has no additional results.
     StagedSearch(const LoopToCheck& loop, const Observe& observe, const Network& network, const CheckOptions& options,
-                 bool timelock = true);
+                 AdditionalResults additional = {});
 
     /// Limits the search to the bounded search of the complete loop and to one short round of input abstraction. Must
     /// be called before `begin`.

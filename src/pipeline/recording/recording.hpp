@@ -31,7 +31,7 @@ struct RecordingOptions {
     /// line, the report concerns the samples before this line. If false, the check reads the log until each chart has a
     /// verdict, and reports the errors of all lines.
     bool stop_early = false;
-    std::uint64_t shown_instants = 16;  ///< minimum number of instants in the runs of the report
+    std::uint64_t shown_instants = printed_instants;  ///< minimum number of instants in the runs of the report
     Limits limits = {};
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -107,7 +108,7 @@ std::optional<std::int64_t> FaultDetection::longest_time(Network network, const 
          .watch = {.kind = Sentence::Kind::Response, .duration_ms = longest_units * network.time_unit_ms}});
     const Network observed = grafverif::observed(network, watched(network));
     const std::size_t observer = observed.processes.size() - 1;
-    TimedOptions options{.max_states = max_states_, .timelock = false, .covering = false};
+    TimedOptions options{.max_states = max_states_, .timelock = false, .covering = false, .profile = ProfileFor::None};
     set_limits(options, limits_);
     std::int64_t units = 0;
     options.each_state = [&](const NetworkState& state) {
@@ -118,29 +119,37 @@ std::optional<std::int64_t> FaultDetection::longest_time(Network network, const 
     return units * network.time_unit_ms;
 }
 
-std::optional<std::vector<std::uint32_t>> FaultDetection::pairs_in(Network network) const {
+std::optional<FaultDetection::Pairs> FaultDetection::pairs_in(Network network) const {
     network.properties = {};
     network.properties.add({.name = "any", .pattern = Pattern::Never, .operands = {network.exprs.constant(false)}});
-    TimedOptions options{.max_states = max_states_, .timelock = false, .covering = false};
+    TimedOptions options{.max_states = max_states_, .timelock = false, .covering = false, .profile = ProfileFor::None};
     set_limits(options, limits_);
     const std::vector<ControllerSignal> signals = controller_signals(network, true);
-    const std::size_t literals = 2 * signals.size();
-    std::vector<std::uint32_t> counts(literals * literals);
-    std::vector<std::size_t> now(signals.size());
+    std::map<std::vector<bool>, std::uint32_t> valuations;  // of the signals, with their numbers of quiescent states
+    std::vector<bool> now(signals.size());
     options.each_state = [&](const NetworkState& state) {
         if (value(network, state, network.settled).value_or(0) == 0) return;
-        for (std::size_t k = 0; k < now.size(); ++k)
-            now[k] = 2 * k + (state.variables[signals[k].variable.index] != 0 ? 0U : 1U);
-        for (std::size_t k = 0; k < now.size(); ++k)
-            for (std::size_t l = k; l < now.size(); ++l) ++counts[now[k] * literals + now[l]];
+        for (std::size_t k = 0; k < now.size(); ++k) now[k] = state.variables[signals[k].variable.index] != 0;
+        ++valuations[now];
     };
-    if (!check_timed(network, options).complete) return {};
-    return counts;
+    const TimedResult result = check_timed(network, options);
+    if (!result.complete) return {};
+    const std::size_t literals = 2 * signals.size();
+    Pairs pairs{.counts = std::vector<std::uint32_t>(literals * literals),
+                .exact = outcome_of(result.verdicts, "any") == Outcome::Holds};
+    const auto true_literal = [](const std::vector<bool>& values, std::size_t k) {
+        return 2 * k + (values[k] ? 0 : 1);
+    };
+    for (const auto& [values, states] : valuations)
+        for (std::size_t k = 0; k < values.size(); ++k)
+            for (std::size_t l = k; l < values.size(); ++l)
+                pairs.counts[true_literal(values, k) * literals + true_literal(values, l)] += states;
+    return pairs;
 }
 
 std::vector<std::size_t> FaultDetection::candidates(const std::vector<std::uint32_t>& with_fault) const {
     const std::size_t literals = 2 * signals_.size();
-    const auto never = [&](std::size_t k, std::size_t l) { return (*normal_)[k * literals + l] == 0; };
+    const auto never = [&](std::size_t k, std::size_t l) { return normal_->counts[k * literals + l] == 0; };
     std::vector<std::size_t> found;
     for (std::size_t k = 0; k < literals; ++k)
         for (std::size_t l = k; l < literals; ++l) {
@@ -152,14 +161,45 @@ std::vector<std::size_t> FaultDetection::candidates(const std::vector<std::uint3
     return found;
 }
 
-FaultDetection::Proposal FaultDetection::observer(const std::string& name, const Network& faulty,
-                                                  const std::string& instance, const Decide& decide_normal,
-                                                  const Decide& decide_faulty) const {
-    const auto counts = normal_ ? pairs_in(faulty) : std::nullopt;
-    if (!counts && is_over(limits_.deadline, limits_.stop)) return {{}, "the search for an observer was stopped"};
-    if (!counts) return {{}, fmt::format("the search for an observer ended at {} states", max_states_)};
+std::string FaultDetection::declared(std::size_t pair) const {
     const std::size_t literals = 2 * signals_.size();
-    std::vector<std::size_t> candidates = this->candidates(*counts);
+    const std::size_t first = pair / literals, second = pair % literals;
+    const auto is_read = [&](const Expr& leaf) {
+        return leaf.op == Op::Variable &&
+               (signals_[first / 2].variable.index == leaf.value || signals_[second / 2].variable.index == leaf.value);
+    };
+    for (const Property& property : network_.properties) {
+        if (!property.at_stable || (property.pattern != Pattern::Always && property.pattern != Pattern::Never))
+            continue;
+        if (!std::ranges::all_of(leaves(network_.exprs, property.operands.front()),
+                                 [&](Id<Expr> leaf) { return is_read(network_.exprs[leaf]); }))
+            continue;
+        NetworkState state;
+        state.variables.resize(network_.variables.size());
+        // The pair is the only combination of values of its variables that violates the property.
+        bool same = true;
+        for (std::size_t bits = 0; bits < 4; ++bits) {
+            state.variables[signals_[first / 2].variable.index] = bits & 1;
+            state.variables[signals_[second / 2].variable.index] = bits >> 1;
+            const auto is_true = [&](std::size_t k) {
+                return (state.variables[signals_[k / 2].variable.index] != 0) == (k % 2 == 0);
+            };
+            const auto condition = value(network_, state, property.operands.front());
+            const bool violated = condition && (*condition != 0) == (property.pattern == Pattern::Never);
+            same = same && violated == (is_true(first) && is_true(second));
+        }
+        if (same) return property.name;
+    }
+    return {};
+}
+
+FaultDetection::Proposal FaultDetection::observer(const std::string& name, const Network& faulty,
+                                                  const std::string& instance, const Decide& decide) const {
+    const auto pairs = normal_ ? pairs_in(faulty) : std::nullopt;
+    if (!pairs && is_over(limits_.deadline, limits_.stop)) return {{}, "the search for an observer was stopped"};
+    if (!pairs) return {{}, fmt::format("the search for an observer ended at {} states", max_states_)};
+    const std::size_t literals = 2 * signals_.size();
+    std::vector<std::size_t> candidates = this->candidates(pairs->counts);
     Proposal proposal;
     if (candidates.size() > most_tried) {
         proposal.limit =
@@ -167,6 +207,7 @@ FaultDetection::Proposal FaultDetection::observer(const std::string& name, const
         candidates.resize(most_tried);
     }
     if (candidates.empty()) return {};
+    if (!normal_->exact) return proposal;
 
     Network after = faulty;
     after.properties = {};
@@ -177,25 +218,18 @@ FaultDetection::Proposal FaultDetection::observer(const std::string& name, const
                               .pattern = Pattern::LeadsTo,
                               .operands = {occurs(after, instance), conditions.back()}});
     }
-    const std::vector<Verdict> verdicts = decide_faulty(after);
+    const std::vector<Verdict> verdicts = decide(after);
     const auto in_every_run = [&](std::size_t pair) { return outcome_of(verdicts, "pair_" + std::to_string(pair)); };
     auto chosen = std::ranges::find(candidates, Outcome::Holds, in_every_run);
     if (chosen == candidates.end()) chosen = candidates.begin();
-    const auto with_property = [&](Network network) {
-        const Id<Expr> both = conjunction(network, *chosen, literals);
-        network.properties = {};
-        network.properties.add({.name = "proposed", .pattern = Pattern::Never, .operands = {both}, .at_stable = true});
-        return network;
-    };
-    if (outcome_of(decide_normal(with_property(network_)), "proposed") != Outcome::Holds ||
-        outcome_of(decide_faulty(with_property(faulty)), "proposed") != Outcome::Violated)
-        return proposal;
     const auto text = [&](std::size_t k) { return (k % 2 == 0 ? "" : "!") + signals_[k / 2].name; };
     const std::size_t first = *chosen / literals, second = *chosen % literals;
-    proposal.observer = FaultAnalysis::Observer{fmt::format("property {}: never {}{} at stable;", name, text(first),
-                                                            first == second ? "" : " && " + text(second)),
-                                                in_every_run(*chosen),
-                                                {}};
+    const std::string declared = this->declared(*chosen);
+    proposal.observer = FaultAnalysis::Observer{
+        .property = fmt::format("property {}: never {}{} at stable;", declared.empty() ? name : declared, text(first),
+                                first == second ? "" : " && " + text(second)),
+        .in_every_run = in_every_run(*chosen),
+        .declared = declared};
     if (proposal.observer->in_every_run != Outcome::Holds) return proposal;
     proposal.limit.clear();  // a condition that is true in every run is the best result
     proposal.observer->within_ms =

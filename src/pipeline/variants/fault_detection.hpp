@@ -14,8 +14,8 @@
 //
 // A proposed property is `never a at stable` or `never a && b at stable`, in which a and b are inputs, outputs or steps
 // of the controllers, or their complements. In the second form, each of a and b is true in some quiescent state without
-// faults. Complete searches find the literals and pairs that are true in some quiescent state with the fault, but in
-// none without faults. Then the engine decides the property without faults and with the fault.
+// faults. The literals and pairs that are true in some quiescent state with the fault, but in none without faults, are
+// found by complete searches. These searches decide the property without faults and with the fault, too.
 #pragma once
 
 #include <cstdint>
@@ -66,26 +66,34 @@ public:
         std::optional<FaultAnalysis::Observer> observer = {};
         std::string limit = {};
     };
-    /// Returns a property `never a at stable` or `never a && b at stable` with the name `name` that reveals the fault.
-    /// If there are several, prefers a property that is violated in every run with the fault. `decide_normal` checks
-    /// the loop without faults, and `decide_faulty` checks the loop with the announced fault.
+    /// Returns a property of the considered form with the name `name` that reveals the fault. If several properties do,
+    /// a property that is violated in every run with the fault is preferred. If the loop declares a property with the
+    /// same condition, the result is this property. `decide` must be a check of the loop with the announced fault.
     Proposal observer(const std::string& name, const Network& faulty, const std::string& instance,
-                      const Decide& decide_normal, const Decide& decide_faulty) const;
+                      const Decide& decide) const;
 
 private:
     std::optional<std::int64_t> longest_time(Network network, const std::string& instance, Id<Expr> condition) const;
-    /// Returns, for each pair of literals, the number of quiescent states in which both literals are true. The pair (k,
-    /// k) represents literal k. The result is empty if a limit ends the search.
-    std::optional<std::vector<std::uint32_t>> pairs_in(Network network) const;
-    /// Returns the literals and pairs that are true only with the fault. The pair (k, l) has the number k * literals +
-    /// l. The pairs that are true in the most states come first.
+    /// The number of quiescent states in which each pair of literals is true. The pair (k, k) is the literal k.
+    struct Pairs {
+        std::vector<std::uint32_t> counts = {};
+        bool exact =
+            false;  ///< true if each pair with the number 0 is true in no quiescent state of a run in dense time
+    };
+    /// Returns an empty result if a limit ends the search.
+    std::optional<Pairs> pairs_in(Network network) const;
+    /// Returns the literals and pairs, k * literals + l, that are true only with the fault. Those that are true in most
+    /// states are first.
     std::vector<std::size_t> candidates(const std::vector<std::uint32_t>& with_fault) const;
+    /// Returns the name of a declared property that is violated in exactly the quiescent states in which the pair is
+    /// true; empty if there is none.
+    std::string declared(std::size_t pair) const;
 
     const Network& network_;
     Limits limits_;
     std::uint64_t max_states_;
     std::vector<ControllerSignal> signals_;
-    std::optional<std::vector<std::uint32_t>> normal_ = {};  ///< result of `pairs_in` for the loop without faults
+    std::optional<Pairs> normal_ = {};  ///< pairs of the loop without faults; empty if unknown
 };
 
 }  // namespace grafverif

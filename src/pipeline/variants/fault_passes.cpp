@@ -37,13 +37,10 @@ struct OpenProperties {
     bool limited = false;  ///< a property is undecided because of the limit on states
 };
 
-/// Returns the undecided properties of `report`. Every check decides `no timelock`, but the result contains this
-/// property only if `timelock` is true.
-OpenProperties open_properties(const Report& report, bool timelock) {
+OpenProperties open_properties(const Report& report) {
     OpenProperties found;
     for (const PropertyResult& result : report.answers) {
         if (result.verdict.outcome != Outcome::Unknown) continue;
-        if (result.verdict.pattern == Pattern::NoTimelock && !timelock) continue;
         found.names.insert(base_name(result.verdict.property, result.verdict.pattern));
         found.limited = found.limited || result.verdict.obstacle == UnknownReason::Bound;
     }
@@ -87,8 +84,8 @@ Report check_in_passes(const LoopToCheck& loop, CheckOptions options, const Faul
         if (pass == 3) options.limits.states.reset();
         else options.limits.states = pass == 1 ? request.first_states : second_states;
         options.whole = pass == 2;
-        merge(check_without_causes(loop, options), report);
-        const OpenProperties open = open_properties(report, timelock);
+        merge(check_without_causes(loop, options, timelock), report);
+        const OpenProperties open = open_properties(report);
         options.properties.assign(open.names.begin(), open.names.end());
         limited = open.limited || (limited && pass == 1);
         if (open.names.empty() || !(early || limited)) break;

@@ -28,8 +28,9 @@ void add_errors(std::vector<ModelErrorTrace>&& found, std::vector<ModelErrorTrac
 /// Returns the maximum number of states that a search of the report explored; 0 if a limit ended a search.
 double states_of(const Report& report);
 
-/// Checks the properties of `options` in passes. An unknown verdict on `no timelock` causes a further pass only if
-/// `timelock` is true. `expected` is the expected number of states of the network; 0 if unknown.
+/// Checks the properties of `options` in passes. If `timelock` is false, an undeclared `no timelock` has no verdict, and
+/// model errors that no requested property needs may remain unknown. `expected` is the expected number of states of the
+/// network; 0 if unknown.
 Report check_in_passes(const LoopToCheck& loop, CheckOptions options, const FaultsRequest& request, bool timelock,
                        double expected);
 

@@ -414,24 +414,22 @@ private:
         const Model model = with_faults(model_, loop_, {{.fault = {static_cast<std::uint32_t>(k)}, .announced = true}});
         const auto faulty = network_of(model, loop_, request_.how, found);
         if (!faulty || stopped()) return;
-        const auto decided_by = [this](const Model& of) {
-            return [this, &of](const Network& network) {
-                CheckOptions how = options(1);
-                how.properties = property_names(network);
-                std::vector<Verdict> verdicts;
-                for (PropertyResult& result : report_on(of, network, how, false).answers)
-                    verdicts.push_back(std::move(result.verdict));
-                return verdicts;
-            };
+        const auto decide = [&](const Network& network) {
+            CheckOptions how = options(1);
+            how.properties = property_names(network);
+            std::vector<Verdict> verdicts;
+            for (PropertyResult& result : report_on(model, network, how, false).answers)
+                verdicts.push_back(std::move(result.verdict));
+            return verdicts;
         };
         FaultAnalysis::Visible& visible = fault.visible;
         if (!visible.newly_true.empty()) {
-            const auto shown = detection.detected(*faulty, fault.instance, visible.newly_true, decided_by(model));
+            const auto shown = detection.detected(*faulty, fault.instance, visible.newly_true, decide);
             visible.detected = shown.in_every_run;
             visible.within_ms = shown.within_ms;
         }
         if (visible.detected == Outcome::Holds || stopped()) return;
-        auto proposed = detection.observer(name, *faulty, fault.instance, decided_by(model_), decided_by(model));
+        auto proposed = detection.observer(name, *faulty, fault.instance, decide);
         visible.observer = std::move(proposed.observer);
         visible.observer_limit = std::move(proposed.limit);
     }

@@ -95,7 +95,7 @@ std::vector<Verdict> VariantSearch::searched(const Network& network, const std::
     const Observe observe = [&](const Network& of) { return watched ? with_observer(of, *watched) : of; };
     const Network observed = watched ? observe(network) : Network{};
     const LoopToCheck loop{network};
-    StagedSearch search(loop, observe, watched ? observed : network, options, false);
+    StagedSearch search(loop, observe, watched ? observed : network, options, {.timelock = false, .profile = false});
     InputLimits inputs;
     if (effort.known) inputs = {.explored = 0, .coarse_rounds = 2, .known = known_};
     search.begin(deadline, effort.begin, inputs);

@@ -184,6 +184,7 @@ Json fault_json(const FaultAnalysis& analysis, std::size_t index, const Sources&
     made["observer"] = nullptr;
     if (visible.observer)
         made["observer"] = {{"property", visible.observer->property},
+                            {"declared", text_or_null(visible.observer->declared)},
                             {"in_every_run", truth_or_null(visible.observer->in_every_run)},
                             {"within", seconds_or_null(visible.observer->within_ms)}};
     made["observer_limit"] = text_or_null(visible.observer_limit);
@@ -285,8 +286,10 @@ FaultEffects effects_of(const FaultAnalysis& analysis, std::size_t index) {
     if (effects.visible.empty())
         effects.visible.push_back("with and without the fault, the same steps and outputs can become true");
     if (visible.observer)
-        effects.visible.push_back("proposed observer, violated " + runs_text(*visible.observer) + ": " +
-                                  visible.observer->property);
+        effects.visible.push_back(
+            visible.observer->declared.empty()
+                ? "proposed observer, violated " + runs_text(*visible.observer) + ": " + visible.observer->property
+                : "declared observer, violated " + runs_text(*visible.observer) + ": " + visible.observer->declared);
     if (!visible.observer_limit.empty()) effects.visible.push_back(visible.observer_limit);
     return effects;
 }

@@ -10,7 +10,8 @@
 //   "properties":[PROPERTY], "errors":[{"faults", "code", "message", "trace"}]}
 //   FAULT     {"name", "instance", "component", "file", "line", "column", "violates", "newly_true", "never_true",
 //             "always_shown":true|false|null, "detected":true|false|null, "within", "observer":OBSERVER, "decided"}
-//   OBSERVER  {"property", "in_every_run":true|false|null, "within"}; `within` is in seconds
+//   OBSERVER  {"property", "declared", "in_every_run":true|false|null, "within"}; `declared` is the name if the loop
+//             declares the property; `within` is in seconds
 //   PROPERTY  {"name", "text", "file", "line", "column", "declared", "without_faults", "minimal":[CUT],
 //             "unknown":[{"faults", "reason"}], "non_monotone":[{"violating", "holding"}]}
 //   CUT       {"faults", "from_power_on", "unknown_subsets":[["F"]], "trace"}; minimal if `unknown_subsets` is empty

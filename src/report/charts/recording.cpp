@@ -37,13 +37,29 @@ std::string verdict_text(RecordingVerdict::Kind kind, Colour colour) {
     return coloured(word(kind), shown, colour);
 }
 
+/// True if text and JSON contain the complete run from power-on.
+bool is_printed_completely(const RecordingVerdict& verdict) {
+    return verdict.run_is_complete && verdict.run.moments.size() <= printed_instants;
+}
+
+/// Returns the part of the run that text and JSON contain, also if an HTML report contains more of it.
+ChartRun printed_run(ChartRun run) {
+    if (run.moments.size() <= printed_instants) return run;
+    const std::size_t omitted = run.moments.size() - printed_instants;
+    const auto end = static_cast<std::ptrdiff_t>(omitted);
+    run.moments.erase(run.moments.begin(), run.moments.begin() + end);
+    run.rows.erase(run.rows.begin(), run.rows.begin() + end);  // each instant has one row
+    for (ChartRun::Row& row : run.rows) row.moment -= omitted;
+    return run;
+}
+
 void print_deviation(const RecordingVerdict& verdict, const RecordingReport& report, std::ostream& out) {
     const Deviation& deviation = *verdict.deviation;
     out << fmt::format("  {}:{}: {}\n", printable(report.log), deviation.line, printable(deviation_text(deviation)));
     out << fmt::format("  active steps: {}\n", printable(deviation.situation));
-    out << "  " << no_timing_text(verdict) << " The timing that explains most of the recording"
-        << (verdict.run_is_complete ? ":\n" : " ends with:\n");
-    print_trace(verdict.run, out);
+    out << "  " << no_timing_text(verdict) << " The timing that explains most of it"
+        << (is_printed_completely(verdict) ? ":\n" : " ends with:\n");
+    print_trace(printed_run(verdict.run), out);
 }
 
 }  // namespace
@@ -111,10 +127,11 @@ std::string recording_json(const RecordingReport& report) {
     for (const RecordingVerdict& verdict : report.verdicts) {
         Json deviation = nullptr;
         if (verdict.deviation)
-            deviation = {{"time", seconds(verdict.deviation->time_us)}, {"line", verdict.deviation->line},
-                         {"output", verdict.deviation->output},         {"recorded", verdict.deviation->recorded},
-                         {"allowed", verdict.deviation->allowed},       {"situation", verdict.deviation->situation},
-                         {"complete", verdict.run_is_complete},         {"trace", trace_json(verdict.run)}};
+            deviation = {
+                {"time", seconds(verdict.deviation->time_us)}, {"line", verdict.deviation->line},
+                {"output", verdict.deviation->output},         {"recorded", verdict.deviation->recorded},
+                {"allowed", verdict.deviation->allowed},       {"situation", verdict.deviation->situation},
+                {"complete", is_printed_completely(verdict)},  {"trace", trace_json(printed_run(verdict.run))}};
         Json offsets = Json::array();
         for (const ClockOffset& offset : verdict.offsets)
             offsets.push_back({{"columns", offset.columns},

@@ -2,6 +2,7 @@
 // Tests `replay` and `monitor`: verdicts for recordings of a controller in all formats, and errors in logs.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <utility>
@@ -259,6 +260,26 @@ TEST(Replay, FindsTheOffsetOfAClock) {
     EXPECT_NE(small.out.find("  clock offset of `PUMP`, `HORN`, `LEVEL`: "), std::string::npos) << small.out;
 }
 
+TEST(Replay, PrintsTimesForOffsetsWithinTheFinalRange) {
+    // PUMP turns on at 11 s without a cause. Only later changes of outputs determine the offset of the inputs.
+    const std::string log = skewed.substr(0, skewed.rfind("12,")) + "11,,,1,,\n14,,,,,\n";
+    const Result found = replayed(log, {"--skew", "START,STOP=500ms", "--format", "json"});
+    EXPECT_EQ(found.code, ExitCode::Verdict) << found.out << found.err;
+    const auto json = nlohmann::json::parse(found.out);
+    const auto& chart = json["charts"][0];
+    const double low = chart["offsets"][0]["low"], high = chart["offsets"][0]["high"];
+    EXPECT_LT(high, -0.2);
+    std::vector<double> times;
+    for (const auto& step : chart["deviation"]["trace"]["steps"]) times.push_back(step["time"]);
+    EXPECT_TRUE(std::ranges::is_sorted(times));
+    for (const double recorded : {1.0, 2.0, 6.0, 7.0, 8.0, 8.5, 9.0}) {
+        const auto is_near = [&](double time) {
+            return time >= recorded - high - 0.02 && time <= recorded - low + 0.02;
+        };
+        EXPECT_TRUE(std::ranges::any_of(times, is_near)) << recorded << '\n' << found.out;
+    }
+}
+
 TEST(Replay, RejectsAnOffsetThatChanges) {
     // The first change is recorded 300 ms late, the second one 100 ms late.
     const std::string log = head + "1,1,,,,\n1.3,,,1,,4\n2,0,1,,,\n2.1,,,0,,\n9,,,,,\n";
@@ -357,6 +378,36 @@ TEST(Replay, ReportsDeviationsAsJson) {
     EXPECT_EQ(deviation["allowed"], 1);
     EXPECT_EQ(deviation["situation"], "{2}");
     EXPECT_EQ(deviation["trace"]["steps"].size(), 2U);
+}
+
+TEST(Replay, PrintsTheSameRunWithAndWithoutAReport) {
+    const Folder folder;
+    const std::string file = folder.write("pump.grafcet", pump);
+    std::string log = head;
+    for (int k = 1; k <= 40; ++k) {
+        const std::string second = std::to_string(10 * k);
+        log += second + ",1,,1,," + (k == 1 ? "4" : "") + "\n" + second + ".2,0,,,,\n" + second + ".5,,1,0,,\n" +
+               second + ".7,,0,,,\n";
+    }
+    log = folder.write("log.csv", log + "500,,,1,,\n510,,,,,\n");
+    for (const char* const format : {"json", "text"}) {
+        const auto printed = [&](std::vector<std::string> options) {
+            options.insert(options.begin(), {"replay", file, "--log", log, "--format", format});
+            const Result result = grafverif(options);
+            EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
+            return result.out;
+        };
+        const std::string text = printed({});
+        EXPECT_EQ(printed({"--report", folder.file("page.html")}), text);
+        if (format == std::string("text")) {
+            EXPECT_NE(text.find("explains most of it ends with:\n"), std::string::npos) << text;
+            continue;
+        }
+        const auto deviation = nlohmann::json::parse(text)["charts"][0]["deviation"];
+        EXPECT_EQ(deviation["complete"], false);
+        EXPECT_EQ(deviation["trace"]["steps"].size(), 16U);
+    }
+    EXPECT_NE(folder.read("page.html").find("Play the run up to the deviation"), std::string::npos);
 }
 
 TEST(Replay, WritesAReportWithTheRun) {

@@ -169,8 +169,30 @@ TEST(FaultDetection, ProposesAPropertyThatRevealsAHiddenFault) {
     EXPECT_TRUE(std::ranges::any_of(row->minimal, [](const auto& cut) { return cut.faults == FaultSet{2}; }));
 }
 
-/// While BLOCKED is true, the gate is not opened. Only the fault makes BLOCKED true, so a second literal in the
-/// proposed property would be superfluous.
+/// The loop declares the condition that would be proposed, in another form. Other conditions and states do not count.
+TEST(FaultDetection, StatesADeclaredPropertyInsteadOfProposingIt) {
+    for (const char* const text : {"never S1 && !S2 at stable", "never !S2 && S1 at stable",
+                                   "always S1 => S2 at stable", "always !(S1 && !S2) at stable"}) {
+        SCOPED_TRACE(text);
+        const Analysed found = analysed(driveway(
+            fmt::format("    property other: never S1 && S2 && !OPEN at stable;\n    property both: {};\n", text)));
+        const FaultAnalysis::Visible& hidden = found.analysis.faults[2].visible;
+        ASSERT_TRUE(hidden.observer.has_value());
+        EXPECT_EQ(hidden.observer->declared, "both");
+        EXPECT_EQ(hidden.observer->property, "property both: never S1 && !S2 at stable;");
+    }
+    for (const char* const text : {"never S1 && !S2", "never S1 && !S2 && OPEN at stable", "never S1 && S2 at stable",
+                                   "never S1 at stable", "reachable S1 && !S2 at stable"}) {
+        SCOPED_TRACE(text);
+        const Analysed found = analysed(driveway(fmt::format("    property both: {};\n", text)));
+        const FaultAnalysis::Visible& hidden = found.analysis.faults[2].visible;
+        ASSERT_TRUE(hidden.observer.has_value());
+        EXPECT_EQ(hidden.observer->declared, "");
+        EXPECT_EQ(hidden.observer->property, "property detects_First_1: never S1 && !S2 at stable;");
+    }
+}
+
+/// With BLOCKED, the gate is never opened. Only the fault makes BLOCKED true; a second literal would be superfluous.
 TEST(FaultDetection, ProposesOneLiteralIfItIsTrueOnlyWithTheFault) {
     std::string text = driveway(
         "    plant Guard = unused(OUT = BLOCKED);\n    fault Guard_1 of Guard: stuck(VALUE = true);\n"
@@ -189,6 +211,15 @@ TEST(FaultDetection, ProposesOneLiteralIfItIsTrueOnlyWithTheFault) {
     EXPECT_EQ(blocked->visible.observer_limit, "");
     const auto pasted = text.replace(text.find("    property safe"), 0, "    " + blocked->visible.observer->property);
     EXPECT_TRUE(read_string(pasted, "driveway.grafcet").model.has_value());
+}
+
+/// With a strict constraint, a search in integer time does not prove that the property holds without faults.
+TEST(FaultDetection, ProposesNoPropertyWithoutAProofInDenseTime) {
+    std::string text = driveway("");
+    text.replace(text.find("when t >= 3s do OPEN"), 11, "when t > 2s");
+    const Analysed found = analysed(text);
+    EXPECT_TRUE(found.analysis.faults[2].visible.decided);
+    EXPECT_FALSE(found.analysis.faults[2].visible.observer.has_value());
 }
 
 TEST(FaultDetection, NamesPropertiesForIndexedFaults) {

@@ -89,6 +89,10 @@ TEST(FaultsReport, StatesWhenAFaultIsDetected) {
               (Sentences{shown + "not in every run with the fault",
                          "proposed observer, violated in every run, at most 2 s after the fault: "
                          "property o: never A && B;"}));
+    made.faults[2].visible.observer->declared = "o";
+    EXPECT_EQ(effects_of(made, 2).visible.back(),
+              "declared observer, violated in every run, at most 2 s after the fault: o");
+    made.faults[2].visible.observer->declared.clear();
     made.faults[2].visible.observer->in_every_run = Outcome::Violated;
     EXPECT_EQ(effects_of(made, 2).visible.back(),
               "proposed observer, violated in some run with the fault: property o: never A && B;");
@@ -97,7 +101,8 @@ TEST(FaultsReport, StatesWhenAFaultIsDetected) {
     EXPECT_EQ(faults.at(0).at("within"), 9.5);
     EXPECT_EQ(faults.at(2).at("detected"), false);
     EXPECT_EQ(faults.at(2).at("within"), nullptr);
-    EXPECT_EQ(faults.at(2).at("observer"), nlohmann::json::parse(R"({"property": "property o: never A && B;",
+    EXPECT_EQ(faults.at(2).at("observer"),
+              nlohmann::json::parse(R"({"property": "property o: never A && B;", "declared": null,
                                                                     "in_every_run": false, "within": 2.0})"));
 }
 
