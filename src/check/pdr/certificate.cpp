@@ -55,13 +55,8 @@ std::string flaw(const Circuit& circuit, Literal bad, const std::vector<Cube>& c
         if (std::ranges::all_of(cube, is_inverted)) return "the invariant excludes an initial state";
         solver.clause(outside);
     }
-<<<<<<< HEAD
-    if (solver.possible({CircuitClauses::of(bad)})) return "it does not exclude the bad states";
-    std::vector<int> entered;  // for each cube: a solver variable; if it is true, the next state belongs to the cube
-=======
     if (solver.possible({CircuitClauses::of(bad)})) return "the invariant does not exclude the bad states";
-    std::vector<int> entered;  // for each cube, a variable that implies that the next state belongs to the cube
->>>>>>> t7
+    std::vector<int> entered;  // for each cube: a solver variable; if it is true, the next state belongs to the cube
     for (const Cube& cube : cubes) {
         entered.push_back(solver.fresh());
         for (const Literal literal : cube)
