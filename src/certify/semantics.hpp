@@ -160,7 +160,8 @@ private:
         }
         reject("a move of a fragment reads too many unknown values");
     }
-    /// Returns the value of a variable or location. An unknown value is chosen once, and again after an assignment.
+    /// Returns the value of a variable or location. An unknown value is chosen when it is first read, and again if an
+    /// assignment makes it unknown again.
     Int read(Index place, const State& state) {
         if (state[place] != unknown) return state[place];
         if (subsystem) reject("a subsystem reads a value of another one");

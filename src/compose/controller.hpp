@@ -78,7 +78,8 @@ void add_plant_flags(Composition& composition);
 /// Returns the term Network::settled, which is true if the network is quiescent.
 Id<Expr> settled(Composition& composition);
 
-/// Translates the properties of the loop to the network, and adds `no_race`.
+/// Adds the properties of the loop that read no observer, the constraints as properties and, if the network has the
+/// flag `race`, the property `no_race`.
 void add_properties(Composition& composition, const ClosedLoop& loop);
 
 inline Id<Expr> leaf(Network& network, Id<Network::Variable> variable) {

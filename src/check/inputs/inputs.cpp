@@ -259,7 +259,8 @@ void InputAbstractionCheck::search(const Task& task) {
         if (std::ranges::find(options.properties, name) == options.properties.end()) options.properties.push_back(name);
     }
     if (options.properties.empty()) return;
-    // Removes a declared `no timelock`. Each search would decide this property, although its verdict is not used.
+    // Removes all properties that this search does not decide. Otherwise, each search would also decide a declared
+    // `no timelock`, although its verdict is not used.
     for (const Property& property : std::exchange(network.properties, {}))
         if (std::ranges::find(options.properties, property.name) != options.properties.end())
             network.properties.add(property);

@@ -347,7 +347,10 @@ private:
             } else if (verdict.property == "continues" && verdict.outcome == Outcome::Violated) {
                 answer = {Comparison::Outcome::Different, {}, {}};
             } else if (!queries_inputs && verdict.outcome == Outcome::Violated) {
-                if (!found.runs[k]) return {Comparison::Outcome::Unknown, "an engine has no run for its verdict", {}};
+                if (!found.runs[k])
+                    return {Comparison::Outcome::Unknown,
+                            "an engine found a difference without a trace; the difference is not confirmed",
+                            {}};
                 answer = {Comparison::Outcome::Different, {}, scans_of(both, *found.runs[k])};
             }
         }

@@ -19,7 +19,7 @@ struct Close {
 
 void demand(UErrorCode status) {
     if (status == U_MEMORY_ALLOCATION_ERROR) throw std::bad_alloc();
-    if (U_FAILURE(status) != 0) throw std::runtime_error("ICU has no data of confusable characters");
+    if (U_FAILURE(status) != 0) throw std::runtime_error("ICU cannot provide its data on confusable characters");
 }
 
 }  // namespace
