@@ -59,9 +59,10 @@ constexpr std::array kinds = {
                 "A stored value can change repeatedly, but from some situation on it can never change again."},
     FindingKind{"region-never-left", Level::Warning,
                 "The chart cannot leave a set of situations, although every step can become active in this set."},
-    FindingKind{"comes-once", Level::Note,
-                "A step is active, or a transition is cleared, at most once in a run: it belongs to a start-up or "
-                "final phase."},
+    FindingKind{
+        "comes-once", Level::Note,
+        "A step is active or a transition is cleared at most once in a run, or a value changes at most once after "
+        "the first evolution: the element belongs to a start-up or final phase."},
     FindingKind{"step-never-stable", Level::Note,
                 "A step is active only in transient situations, so its continuous actions never set an output."},
     FindingKind{"transition-always-fired", Level::Note,

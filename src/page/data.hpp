@@ -5,8 +5,8 @@
 //   charts      per controller, in order: `figure` (the id of the element around the drawing), `ids` (of the drawing's
 //               elements, see ElementIds: `steps`, `transitions`, `conditions`, `continuous`, `stored`, `forcing`), and
 //               the chart as in page/terms.hpp: `name`, `steps`, `transitions` (`name`, `from`, `condition`), `timed`,
-//               `terms`, `ownerOfAction`, `ownerOfForcing`. Lists are in the order of the chart's tables
-//               A PLC program has no conditions, and the member `program`:
+//               `terms`, `ownerOfAction`, `ownerOfForcing`. Lists are in the order of the chart's tables.
+//               A PLC program has no conditions; it has the additional member `program`:
 //     listing     the id of the element that contains the lines of the program
 //     code        the lines with values: `[line, unit]`; lines are counted from 0
 //     units       the names of the units of the program

@@ -53,7 +53,7 @@ public:
     /// Executes a choice. `choice` is the index in the result of choices().
     std::string choose(std::size_t choice);
     std::string wait(std::int64_t milliseconds);
-    /// Lets time pass until the next spontaneous or possible event.
+    /// Lets time pass until an invariant prevents further delay or a disabled edge becomes enabled.
     std::string wait();
     /// Executes the first choice after which the input, or the variable of the plant, has the given value.
     std::string set(const std::vector<Setting>& settings);
@@ -64,7 +64,8 @@ public:
     /// Returns the index of the row in which the user first forced a step to change, or nullopt if there is no such
     /// row. From this row on, the recording is not a run of the network.
     std::optional<std::size_t> what_if_row() const { return what_if_row_; }
-    /// Returns the time until the next spontaneous or possible event, or nullopt if there is no such event.
+    /// Returns the time until an invariant prevents further delay or a disabled edge becomes enabled, whichever is
+    /// earlier; nullopt if neither occurs.
     std::optional<std::int64_t> soonest_ms() const;
     /// Returns the location of the instance after an event of the recorded run, or nullopt if there is no such
     /// instance.

@@ -151,11 +151,10 @@ Diagnostic program_too_large(Span where, std::string_view what, std::uint64_t li
 }
 
 Diagnostic unbounded_loop(Span where, std::uint64_t limit) {
-    return error(
-        "unbounded-loop", where,
-        fmt::format(
-            "this loop is not limited by constants to at most {} iterations; use a FOR loop with constant bounds",
-            limit));
+    return error("unbounded-loop", where,
+                 fmt::format("constants do not limit this loop to {0} iterations, the maximum; use a FOR loop with "
+                             "constant bounds and at most {0} iterations",
+                             limit));
 }
 
 Diagnostic program_without_cycle(Span where, std::string_view name) {

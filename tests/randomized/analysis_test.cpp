@@ -457,7 +457,7 @@ std::string disagreement_on_graph(const Chart& chart, const Equations& equations
 }
 
 /// Returns the differences between the two results, or an empty string if the results agree. Returns nothing if the
-/// chart is too large for the comparison.
+/// chart cannot be compared: it has no steps or no equations, it is too large, or one of its conditions is undefined.
 std::optional<std::string> disagreement(const Chart& chart, ExecutionMode mode, const Bounds& bounds = {}) {
     if (chart.steps.empty()) return {};
     ExplicitSearch search(chart, mode);

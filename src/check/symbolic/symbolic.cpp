@@ -109,8 +109,8 @@ std::optional<SystemFault> Check::fault() {
     };
     if (const auto some = model.leak(search_.reached)) {
         (void)shortest_trace(model, search_, some->states);
-        // Reports the step with a value outside its range that has the smallest distance from the initial states,
-        // because states after such a step do not belong to a run.
+        // Examines the rings in order of their distance from the initial states, and reports the first step that
+        // assigns a value outside the range of its variable. States after such a step do not belong to a run.
         for (const Bdd& ring : search_.rings.each)
             if (const auto leak = model.leak(ring))
                 return SystemFault{OutOfRange, flat_.variables[leak->variable].name, path_to(leak->states)};

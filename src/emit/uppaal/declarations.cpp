@@ -160,7 +160,7 @@ std::string_view heading_of(const Network& network, const Network::Controller* c
 
 std::string_view purpose(const Network::Controller& controller, Id<Network::Procedure> procedure) {
     if (procedure == controller.start) return "the first evolution, after power-on";
-    if (procedure == controller.fire) return "samples the inputs: the firing conditions";
+    if (procedure == controller.fire) return "samples the inputs and stores the firing conditions";
     if (procedure == controller.evolve) return "one evolution: the new situation and stored values";
     return procedure == controller.write ? "the outputs of the new situation" : "";
 }

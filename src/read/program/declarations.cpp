@@ -353,7 +353,7 @@ void Reader::check_addresses(const std::vector<const st::Variable*>& located) {
         const auto [place, fresh] = sizes.try_emplace(address[1], size);
         if (!fresh && place->second != size && !address.ends_with('*')) {
             place->second = size;
-            reject(variable->name.where, "an address whose size differs from other addresses in its area",
+            reject(variable->name.where, "an address whose size differs from that of another address in its area",
                    "remove the addresses, or use one size in each area");
         }
     }
@@ -386,7 +386,7 @@ void Reader::choose_main(std::size_t user) {
         record_.refer(instance.type.where, file_->units[unit->second].name.where);
         if (!instance.arguments.empty())
             reject(instance.where, "an argument of a program instance",
-                   "declare the variables of the program `AT` their addresses");
+                   "declare each variable with its address in the program, as in `Go AT %IX0.0 : BOOL;`");
         chosen = unit->second;
         task_of(instance);
     }

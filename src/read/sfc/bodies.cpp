@@ -80,7 +80,7 @@ private:
             value = {sfc_.draft.constant(node.value == 1, node.where), SfcKind::Boolean};
         if (target.kind != value.kind || target.kind == SfcKind::Time)
             return refuse(where, "an assignment that mixes types, or whose variable is neither BOOL nor an integer,",
-                          "use variables of one type");
+                          "use BOOL variables only, or integer variables only");
         if (target.kind == SfcKind::Integer) state[target.name] = {{}, {}, value.expr};
         else state[target.name] = {value.expr, sfc_.draft.constant(false, where), {}};
         return state;

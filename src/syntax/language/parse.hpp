@@ -14,9 +14,9 @@
 
 namespace grafverif {
 
-/// Returns the declarations of `source`; a declaration with a syntax error is incomplete and marked `broken`. An error
-/// is added to `diagnostics` if and only if the file or a declaration is `broken`. If `stop` becomes true, parsing ends
-/// at the next token, and the file is `broken`.
+/// Returns the declarations of `source`; a declaration with a syntax error is incomplete and marked `broken`. Unless
+/// `stop` becomes true, an error is added to `diagnostics` if and only if the file or a declaration is `broken`. If
+/// `stop` becomes true, parsing ends at the next token, and the file is `broken`, possibly without an error.
 tree::File parse_file(Id<Source> source, const Sources& sources, Diagnostics& diagnostics,
                       const std::atomic<bool>* stop = nullptr);
 

@@ -236,7 +236,7 @@ TEST(LspNames, OfAProgramLeadToItsFileAndAreRenamed) {
     EXPECT_EQ(editor.obstacle("lamp.grafcet", with(text, "OUT = go", "OUT = g@o"), "start"), "none");
 }
 
-/// A loop with a constant in every place that may contain one.
+/// A loop that uses constants in other constants, ranges, the time unit, arguments of instances, and properties.
 const std::string steady =
     "include \"press.grafcet\";\n"
     "closed_loop steady {\n"
