@@ -179,8 +179,8 @@ std::string FaultDetection::declared(std::size_t pair) const {
         // The pair is the only combination of values of its variables that violates the property.
         bool same = true;
         for (std::size_t bits = 0; bits < 4; ++bits) {
-            state.variables[signals_[first / 2].variable.index] = bits & 1;
-            state.variables[signals_[second / 2].variable.index] = bits >> 1;
+            state.variables[signals_[first / 2].variable.index] = (bits & 1) != 0 ? 1 : 0;
+            state.variables[signals_[second / 2].variable.index] = (bits & 2) != 0 ? 1 : 0;
             const auto is_true = [&](std::size_t k) {
                 return (state.variables[signals_[k / 2].variable.index] != 0) == (k % 2 == 0);
             };
