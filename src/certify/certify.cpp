@@ -152,8 +152,8 @@ bool shows(const std::vector<State>& run, const Property& property, Semantics& s
     return std::any_of(run.rbegin(), last, [&](const State& state) { return semantics.holds(0, property, state); });
 }
 
-/// Checks the certificate in `folder`. Returns a line for each property; each line begins with `prefix`. Throws Rejected
-/// or std::runtime_error.
+/// Checks the certificate in `folder`. Returns a line for each property; each line begins with `prefix`. Throws
+/// Rejected or std::runtime_error.
 std::string check(const std::filesystem::path& folder, const std::string& prefix = {}) {
     const std::string text = content_of(folder / "certificate.txt"), model = content_of(folder / "network.txt");
     const Index end = text.rfind("checksum ");
@@ -183,7 +183,7 @@ std::string check(const std::filesystem::path& folder, const std::string& prefix
         else if (kind == "states" || kind == "subsystem") {
             const std::string sum = words.name(), file = (words.at_end() ? "" : subfolder() + '/') + "states.txt";
             const std::string content = content_of(folder / file);
-            if (sum != checksum(content)) words.fail(file + " is damaged, or of another certificate");
+            if (sum != checksum(content)) words.fail(file + " is damaged or belongs to another certificate");
             std::vector<State> sorted;
             for (Words lines(file, content); lines.next_line();) sorted.push_back(read_state(lines, network));
             if (sorted.empty()) reject(file + " contains no state");
@@ -206,8 +206,8 @@ std::string check(const std::filesystem::path& folder, const std::string& prefix
             if (open.erase(property.name) == 0) words.fail("two claims about `" + property.name + "`");
             const bool by_states = (kind == "holds") != (property.pattern == Pattern::Reachable);
             const bool by_subsystems = property.pattern == Pattern::NoDeadlock && !property.stable &&
-                                       covered.size() == network.processes.size();
-            if (by_states && !by_subsystems && !graph) words.fail("the claim requires `states`");
+                                       !covered.empty() && covered.size() == network.processes.size();
+            if (by_states && !by_subsystems && !graph) reject("no states prove `" + property.name + "`");
             if (by_states && !by_subsystems) graph->check(property);
             else if (!by_states && !shows(read_run(words, semantics), property, semantics))
                 reject("the run of `" + property.name + "` does not show its verdict");
@@ -224,10 +224,7 @@ std::string check(const std::filesystem::path& folder, const std::string& prefix
 }  // namespace certify
 
 int main(int count, char** values) try {
-    if (count != 2)
-        return std::fputs("usage: grafverif-certify FOLDER (the folder that `check --certificate FOLDER` wrote)\n",
-                          stderr),
-               2;
+    if (count != 2) return std::fputs("usage: grafverif-certify FOLDER (of `check --certificate FOLDER`)\n", stderr), 2;
     return std::fputs(certify::check(values[1]).c_str(), stdout) < 0 ? 2 : 0;
 } catch (const certify::Rejected& rejected) {
     return std::fprintf(stderr, "rejected: %s\n", rejected.what()), 1;

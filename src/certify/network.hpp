@@ -180,6 +180,7 @@ private:
             declare("variable ", name, initial.size() - 1);
         } else if (kind == "define") declare("term ", name, term());
         else if (kind == "settled") declare(kind, "", settled = term());
+        else if (kind == "property" && name.find('/') != name.npos) words_.fail("a property has a `/` in its name");
         else if (kind == "property") read_property({name, words_.skip("stable")});
         else if (kind == "process") {
             const Index count = words_.index(1'000'000), first = words_.index(count);

@@ -4,8 +4,9 @@
 // A state of a *fragment* does not contain the values of some variables, locations and clocks: they are `unknown`. It
 // represents all states of the network that agree with it on the other values. A move of the fragment is a move of the
 // network from one of these states: each unknown value that the move reads may be any value of its range, and each
-// constraint on an unknown clock may hold. Therefore each move of the network, of any process, is a move of the fragment
-// or leaves its state unchanged. Nothing that a certificate contains can remove a move.
+// constraint on an unknown clock may hold. Therefore each edge of the network, of any process, is an edge of the
+// fragment or leaves its state unchanged. Time stops in the fragment only for urgent edges that the network has in all
+// states that the state represents; a certificate can only select the processes whose urgent edges are considered.
 //
 // A *subsystem* is a fragment without moves of processes whose locations are unknown. It must neither read an unknown
 // value nor contain a variable that such a process writes.

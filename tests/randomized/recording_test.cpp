@@ -520,8 +520,8 @@ TEST(RandomizedRecording, HasTheVerdictOfTheBestClockOffsets) {
     EXPECT_GT(excluded, 5);
 }
 
-/// True if the input `variable` is recorded with the value `value` from a time on that is within the jitter of `time`,
-/// for an offset of its clock in the range of the verdict.
+/// True if the recording explains that the input `variable` has the value `value` from `time` on: a recorded change is
+/// within the jitter of `time`, for an offset of its clock in the range of the verdict.
 bool explains(const Recording& recording, const Clocks& clocks, const RecordingVerdict& verdict, std::size_t variable,
               std::int64_t value, Ticks time) {
     Ticks low = 0, high = 0;

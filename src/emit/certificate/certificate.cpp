@@ -283,7 +283,6 @@ std::optional<std::string> run_text(const Network& flat, const Run& run, std::si
             break;
         }
     }
-    if (flat.race.valid() && state.variables[flat.race.index] != flat.variables[flat.race].initial) return {};
     return text + "end\n";
 }
 

@@ -42,8 +42,7 @@ std::vector<std::int64_t> state_values(const Network& flat, const NetworkState& 
 std::string states_text(std::vector<std::vector<std::int64_t>> states);
 
 /// Returns the lines of a run, which end with `end`: the states after the initial state, after each edge and each unit
-/// of time. A delay ends at the first state that does not change. The result is empty if the text is too long, or if
-/// the run ends with a model error.
+/// of time. A delay ends at the first state that does not change. The result is empty if the text is too long.
 std::optional<std::string> run_text(const Network& flat, const Run& run, std::size_t most_bytes);
 
 }  // namespace grafverif::certificate

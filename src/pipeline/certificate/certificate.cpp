@@ -43,10 +43,12 @@ Property decided_property(const Network& flat, const Verdict& verdict) {
 /// The same for a verdict on a network in which the properties may have other ids. Requires that `flat` declares the
 /// property.
 Property reported_property(const Network& flat, Verdict verdict) {
-    for (const Id<Property> id : flat.properties.ids())
-        if (const std::string& name = flat.properties[id].name;
-            name == verdict.property || verdict.property.starts_with(name + '.'))
-            verdict.about = id;
+    for (const Id<Property> id : flat.properties.ids()) {
+        const Property& property = flat.properties[id];
+        const bool is_of_step =
+            property.pattern == Pattern::ReachableAllSteps && verdict.property.starts_with(property.name + '.');
+        if (property.name == verdict.property || is_of_step) verdict.about = id;
+    }
     return decided_property(flat, verdict);
 }
 
@@ -156,8 +158,8 @@ private:
             std::optional<std::string> run;
             if (reason.empty() && !found->run && values >= most_values) reason = "the set of states is too large";
             if (reason.empty() && found->run) {
-                run = certificate::run_text(flat_, *found->run, most_bytes);
-                if (!run) reason = "its run is too long, or ends with a model error";
+                if (ends_with_race(*found->run)) reason = "its run ends with a race";
+                else if (!(run = certificate::run_text(flat_, *found->run, most_bytes))) reason = "its run is too long";
             }
             if (!reason.empty()) omit(*verdict, std::move(reason));
             else if (run) runs.emplace_back(&*found, std::move(*run));
@@ -186,6 +188,13 @@ private:
         certificate_.files.push_back({path("network.txt"), std::move(network)});
         certificate_.files.push_back({path("certificate.txt"), std::move(index)});
         return "also " + folder_ + '\n';
+    }
+
+    bool ends_with_race(const Run& run) const {
+        NetworkState state = initial_state(flat_);
+        for (const Move& move : run.moves)
+            if (perform(flat_, state, move).result != Step::Result::Done) return true;
+        return flat_.race.valid() && state.variables[flat_.race.index] != flat_.variables[flat_.race].initial;
     }
 
     /// Returns the reason why the complete search does not certify a verdict, or an empty string.

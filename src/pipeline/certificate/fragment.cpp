@@ -50,7 +50,7 @@ public:
                     return false;
                 });
             if (std::optional<Values> next = after_delay(now)) visit(std::move(*next));
-            if (seen.size() > limits_.states) throw NoFragment();
+            if (seen.size() > limits_.states || seen.size() * first_.size() > limits_.values) throw NoFragment();
         }
         FragmentStates made{{}, std::move(errors_)};
         made.states.assign(seen.begin(), seen.end());

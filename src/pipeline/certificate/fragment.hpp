@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sets of states of fragments and subsystems of a network, as `grafverif-certify` checks them (src/certify/semantics.hpp).
-// This search has the semantics of that program, but shares no code with it. Its results are not trusted.
+// Sets of states of fragments and subsystems of a network, as `grafverif-certify` checks them
+// (src/certify/semantics.hpp). This search has the semantics of that program, but shares no code with it. Its results are not trusted.
 #pragma once
 
 #include <atomic>
@@ -30,6 +30,7 @@ FragmentContent complete_content(const Network& flat);
 
 struct FragmentLimits {
     std::uint64_t states = std::uint64_t{1} << 20U;
+    std::uint64_t values = std::uint64_t{1} << 24U;    ///< number of values of all states
     std::uint64_t attempts = std::uint64_t{1} << 23U;  ///< number of attempted moves
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;

@@ -272,7 +272,8 @@ TEST(Certify, RejectsSubsystemsThatDependOnEachOther) {
                               "property lives no-deadlock\n";
     const std::string left = "0 * 0 * \n1 * 0 * \n", right = "* 0 * 0 \n* 1 * 0 \n";
     EXPECT_NE(check(apart, {left, right}).find("lives: holds, proved by the states\n"), std::string::npos);
-    EXPECT_EQ(check(apart, {left}), "error: certificate.txt:4: the claim requires `states`\n");
+    EXPECT_EQ(check(apart, {left}), "rejected: no states prove `lives`\n");
+    EXPECT_EQ(check("grafverif-network 2\nproperty lives no-deadlock\n", {}), "rejected: no states prove `lives`\n");
     const std::string reads = head +
                               "edge 0 0 B\nset A (not A)\nprocess q 1 0\nedge 0 0 1\nset B (not B)\n"
                               "property lives no-deadlock\n";
@@ -323,6 +324,7 @@ TEST(Certify, RejectsMalformedFilesWithAMessage) {
         {head + "edge 0 0 V V\n", "network.txt:4: unexpected `V`"},
         {head + "edge 0 0 V\nset @p 0\n", "network.txt:5: unknown variable @p"},
         {head + "set V 1\n", "network.txt:4: unexpected `set`"},
+        {head + "property p/q always V\n", "network.txt:4: a property has a `/` in its name"},
         {head + "property p stable always V\n", "network.txt:4: `settled` is not defined"},
         {head + "edge 0 0 V", "network.txt:3: the last line is incomplete"},
         {head + nested, "network.txt:4: parentheses are nested too deeply"},
@@ -335,7 +337,6 @@ TEST(Certify, RejectsMalformedFilesWithAMessage) {
     }
     const std::vector<std::pair<std::string, std::string>> indices = {
         {"holds missing\n", "certificate.txt:3: unknown property missing"},
-        {"holds dark\n", "certificate.txt:3: the claim requires `states`"},
         {"proves lit\n", "certificate.txt:3: unknown line"},
         {"omitted lit late\rlit: holds, proved by the states\n",
          "certificate.txt:3: the line contains a control character"},
