@@ -18,7 +18,7 @@
 
 namespace certify {
 
-/// True if so many states of a run, or after a run, need too much memory. The overhead of a state is 16 values.
+/// True if `states` states of the size of `one` would need too much memory. The overhead of a state is 16 values.
 bool are_too_many(Index states, const State& one) { return states * (one.size() + 16) > 200'000'000; }
 
 /// Reads a state: all its values; `*` for an unknown value.
@@ -138,7 +138,8 @@ bool shows(const std::vector<State>& run, const Property& property, Semantics& s
     const auto is_goal = [&](const State& state) { return semantics.is_goal(property, state, false, false); };
     if (property.pattern <= Pattern::ExactlyOne) return semantics.decides(property, run.back());
     if (property.pattern >= Pattern::Possible) {
-        // If an earlier state is a trap, this state is one, because it follows the earlier state.
+        // It is sufficient to test the last state: if an earlier state is a trap, the last state is also a trap,
+        // because it follows the earlier state.
         const auto last = std::find_if(run.rbegin(), run.rend(), [&](const State& state) {
             return property.pattern == Pattern::Possible || semantics.concerns(property, state);
         });
@@ -165,7 +166,7 @@ std::string check(const std::filesystem::path& folder, const std::string& prefix
     words.header("grafverif-certificate");
     if (!words.next_line() || !words.skip("network") || words.word() != checksum(model))
         words.fail("the certificate belongs to another network, or network.txt is damaged");
-    std::set<std::string> open;  // properties without claim
+    std::set<std::string> open;  // properties for which the certificate contains no claim
     for (const Property& property : network.properties) open.insert(property.name);
     std::string result;
     std::optional<Graph> graph;
@@ -210,7 +211,7 @@ std::string check(const std::filesystem::path& folder, const std::string& prefix
             if (by_states && !by_subsystems && !graph) reject("no states prove `" + property.name + "`");
             if (by_states && !by_subsystems) graph->check(property);
             else if (!by_states && !shows(read_run(words, semantics), property, semantics))
-                reject("the run of `" + property.name + "` does not show its verdict");
+                reject("the run of `" + property.name + "` does not prove its verdict");
             result +=
                 prefix + property.name + ": " + kind + (by_states ? ", proved by the states\n" : ", shown by a run\n");
         } else words.fail("unknown line");

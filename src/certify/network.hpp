@@ -53,7 +53,8 @@ struct Words {
     Words(std::string name, std::string_view text) : name_(std::move(name)), rest_(text) {}
 
     bool next_line() {
-        // A terminal executes a control character, of ASCII or of UTF-8 (after 0xc2), when a name is printed.
+        // Control characters (of ASCII, or of UTF-8 after the byte 0xc2) are rejected, because a terminal would execute
+        // them when a name is printed.
         const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f' || c == '\xc2'; };
         if (!at_end()) fail("unexpected `" + std::string(word()) + "`");
         if (rest_.empty()) return false;
@@ -81,7 +82,7 @@ struct Words {
         return found;
     }
     std::string name() { return std::string(word()); }
-    /// Reads the next word if it is `expected`.
+    /// Reads the next word and returns true if it is `expected`; otherwise reads nothing and returns false.
     bool skip(std::string_view expected) {
         const std::string_view before = line_, found = at_end() ? "" : word();
         if (found != expected) line_ = before;
@@ -164,7 +165,7 @@ struct Network {
 
     std::vector<Process> processes = {};
     std::vector<Property> properties = {};
-    std::vector<Term> terms = {Term{}};  // term 0 is not used
+    std::vector<Term> terms = {Term{}};  // all terms; index 0 is not used
     Index settled = 0;                   // term
     State initial = {};
     std::vector<std::pair<Int, Int>> ranges = {};  // range of each value of State, by its index
@@ -262,7 +263,7 @@ private:
             if (term.op == Op::If) term.high = std::max(term.high, part.high);
             if (term.op == Op::If || part.low == unknown) term.low = std::min(term.low, part.low);
         }
-        if (term.depth > most_depth) words_.fail("a term is too deep");
+        if (term.depth > most_depth) words_.fail("a term is nested too deeply");
         terms.push_back(std::move(term));
         return terms.size() - 1;
     }

@@ -49,7 +49,7 @@ struct Semantics {
     bool truth(Index term, const State& state) try { return value(term, state) != 0; } catch (const NoValue&) {
         reject("a term of a property or `settled` has no value in some state");
     }
-    /// True if `property` concerns the state.
+    /// True if `property` concerns the state: a property `at stable` concerns only quiescent states.
     bool concerns(const Property& one, const State& state) { return !one.stable || truth(network.settled, state); }
     /// True if the property concerns the state, and its operand `k` is true.
     bool holds(Index k, const Property& property, const State& state) {

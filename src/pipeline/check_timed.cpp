@@ -280,7 +280,7 @@ Report checked(const LoopToCheck& loop, const CheckOptions& options, bool explai
     const LoopToCheck unwatched{alone, loop.charts, loop.disabled_corrections, loop.finest, loop.prove};
     const Observe nothing = std::identity{};
     StagedSearch search(unwatched, nothing, alone, rest, additional);
-    // If all requested properties have observers, a timelock only causes a note.
+    // If all requested properties have observers, this search can only add a note about a timelock.
     if (only_watched) search.make_brief();
     std::deque<StagedSearch*> searches{&search};
     std::deque<WatchedCheck> checks;

@@ -238,7 +238,7 @@ def test_a_certificate_is_that_of_the_program(driveway, tmp_path):
     written = contents(tmp_path / "python")
     assert written == contents(tmp_path / "program") and "certificate.txt" in written
     assert report.certificate == {"folder": str(tmp_path / "python"), "omitted": [],
-                                  "certified": ["reported", "safe", "used", "alive", "no_timelock"]}
+                                  "certified": ["safe", "reported", "used", "alive", "no_timelock"]}
     document = json.loads(printed("check", driveway, "--certificate", tmp_path / "program", "--format", "json"))
     assert document["certificate"] == {**report.certificate, "folder": str(tmp_path / "program")}
     assert loop.check().certificate is None

@@ -66,8 +66,8 @@ struct PdrOptions {
     std::function<void(const std::string& property, const Circuit& circuit, pdr::Literal bad,
                        const std::vector<std::vector<bool>>& inputs)>
         shown = {};
-    /// Candidates for invariants of two literals (see LatchPairs). If the vector is empty and the check has computed the
-    /// pairs, the check stores them in the vector.
+    /// Candidates for invariants of two literals (see LatchPairs); may be null. If the vector is empty and the check
+    /// computes such pairs, the check stores them in the vector.
     std::vector<pdr::NamedCube>* pairs = nullptr;
     std::vector<std::string> properties = {};            ///< names of the properties to check; an empty list selects
                                                          ///< all

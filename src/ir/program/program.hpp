@@ -221,7 +221,6 @@ enum class ProgramFault : std::uint8_t { DivisionByZero, ArrayBounds, Range, Cha
 /// source cannot.
 inline bool is_generated_name(std::string_view name) { return name.find(' ') != std::string_view::npos; }
 
-/// A cell of the program. Cells are ordered by address: first the cells of `globals`, then the cells of `main`.
 struct ProgramCell {
     std::string name = {};  ///< name such as `Motor` or `T1.Q`
     Id<Program::Type> type = {};

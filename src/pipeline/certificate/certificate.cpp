@@ -245,6 +245,10 @@ Certificate certificate_of(const LoopToCheck& loop, const Report& report, const 
     search.timelock = true;
     FolderWriter(expand(by_observers.empty() ? loop.network : observed(loop.network, {})), "", certificate)
         .write(others, search, more);
+    std::ranges::stable_sort(certificate.summary.certified, {}, [&](const CertificateSummary::Certified& one) {
+        return std::ranges::find(report.answers, one.property,
+                                 [](const PropertyResult& answer) { return answer.verdict.property; });
+    });
     return certificate;
 }
 

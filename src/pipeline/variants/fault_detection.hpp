@@ -82,8 +82,8 @@ private:
     };
     /// Returns an empty result if a limit ends the search.
     std::optional<Pairs> pairs_in(Network network) const;
-    /// Returns the literals and pairs, k * literals + l, that are true only with the fault. Those that are true in most
-    /// states are first.
+    /// Returns the literals and pairs that are true only with the fault. The pair (k, l) has the number k * literals +
+    /// l. The pairs that are true in the most states come first.
     std::vector<std::size_t> candidates(const std::vector<std::uint32_t>& with_fault) const;
     /// Returns the name of a declared property that is violated in exactly the quiescent states in which the pair is
     /// true; empty if there is none.

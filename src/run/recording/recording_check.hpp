@@ -121,7 +121,7 @@ private:
         std::size_t clock = 0;
         std::uint64_t number = 0;  ///< number of the instant
     };
-    /// An instant of a timing, and the instants before it, as far as they are stored.
+    /// An instant of a timing, with a pointer to the previous instant if that instant is stored.
     struct Instant {
         std::shared_ptr<Instant> previous = {};
         std::shared_ptr<const Reaction> reaction = {};

@@ -328,7 +328,7 @@ TEST(Certify, RejectsMalformedFilesWithAMessage) {
         {head + "property p stable always V\n", "network.txt:4: `settled` is not defined"},
         {head + "edge 0 0 V", "network.txt:3: the last line is incomplete"},
         {head + nested, "network.txt:4: parentheses are nested too deeply"},
-        {chain, "network.txt:5004: a term is too deep"},
+        {chain, "network.txt:5004: a term is nested too deeply"},
     };
     for (const auto& [network, message] : networks) {
         const Certified found = certify(write_certificate(folder, network, ""));

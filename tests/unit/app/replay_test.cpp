@@ -400,7 +400,7 @@ TEST(Replay, PrintsTheSameRunWithAndWithoutAReport) {
         const std::string text = printed({});
         EXPECT_EQ(printed({"--report", folder.file("page.html")}), text);
         if (format == std::string("text")) {
-            EXPECT_NE(text.find("explains most of it ends with:\n"), std::string::npos) << text;
+            EXPECT_NE(text.find("explains most of the recording ends with:\n"), std::string::npos) << text;
             continue;
         }
         const auto deviation = nlohmann::json::parse(text)["charts"][0]["deviation"];
