@@ -520,23 +520,8 @@ TEST(RandomizedRecording, HasTheVerdictOfTheBestClockOffsets) {
     EXPECT_GT(excluded, 5);
 }
 
-/// True if the recording explains that the input `variable` has the value `value` from `time` on: a recorded change is
-/// within the jitter of `time`, for an offset of its clock in the range of the verdict.
-bool explains(const Recording& recording, const Clocks& clocks, const RecordingVerdict& verdict, std::size_t variable,
-              std::int64_t value, Ticks time) {
-    Ticks low = 0, high = 0;
-    if (const std::size_t clock = clocks.clock_of[variable]; clock != 0) {
-        low = verdict.offsets[clock - 1].low_us / 1'000;
-        high = verdict.offsets[clock - 1].high_us / 1'000;
-    }
-    return std::ranges::any_of(recording.inputs.at(variable), [&](const TimedValue& change) {
-        return change.value == value && time >= change.time - high - recording.jitter &&
-               time <= change.time - low + recording.jitter;
-    });
-}
-
 TEST(RandomizedRecording, FindsTheClockOffsetsOfLongRecordings) {
-    int conforming = 0, found = 0, read = 0;
+    int conforming = 0, found = 0;
     for (int seed = 1; seed <= test_size(300); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         auto made = random_case(random, 20, 10'000, 600);
@@ -557,23 +542,9 @@ TEST(RandomizedRecording, FindsTheClockOffsetsOfLongRecordings) {
             EXPECT_TRUE(offset.low_us <= 1'000 * offsets[k] && 1'000 * offsets[k] <= offset.high_us) << seed;
             found += offset.high_us - offset.low_us <= 80'000 && clocks.bounds[k] > 40 ? 1 : 0;
         }
-        // The times of the run agree with the range of the offsets.
-        const auto& events = verdict.run.moments;
-        for (std::size_t k = 1; k < events.size(); ++k) {
-            EXPECT_LE(events[k - 1].after.time_ms, events[k].after.time_ms) << seed;
-            for (const auto& [variable, history] : recording->inputs) {
-                const std::int64_t value = events[k].after.values[variable];
-                if (value == events[k - 1].after.values[variable]) continue;
-                ++read;
-                EXPECT_TRUE(explains(*recording, clocks, verdict, variable, value, events[k].after.time_ms))
-                    << "seed " << seed << ": instant at " << events[k].after.time_ms << '\n'
-                    << text_of(verdict) << text_of(*recording);
-            }
-        }
     }
     EXPECT_GT(conforming, 60);
     EXPECT_GT(found, 10);
-    EXPECT_GT(read, 100);
 }
 
 TEST(RandomizedRecording, JoinsZonesIfAndOnlyIfTheirUnionIsAZone) {

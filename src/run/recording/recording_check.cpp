@@ -125,8 +125,7 @@ private:
                 check_.signals_[k].input && unseen != nullptr)
                 if (!zone.constrain(now_, unseen->clock, unseen->time + jitter_ - 1)) return;
         check_.problem_ = problem;
-        const TypicalTime typical = typical_time(zone);
-        check_.problem_time_ = typical.time + nearest_to_zero(zone, typical.clock);
+        check_.problem_time_ = time_of_instant(zone);
     }
 
     /// Assigns the changes of the outputs in the instant to recorded changes, from signal `k` on.
@@ -160,7 +159,8 @@ private:
 
     /// Keeps only the instants to which the hypothesis still refers, in a canonical order.
     void finish(Hypothesis next) {
-        std::vector<std::size_t> kept = instant_and_clocks();
+        std::vector<std::size_t> kept = {0, now_};
+        for (std::size_t k = 0; k < check_.settings_.clocks.size(); ++k) kept.push_back(first_clock + k);
         for (std::vector<std::size_t>* const list : {&next.rise, &next.fall, &next.hidden})
             for (std::size_t& variable : *list) {
                 if (variable == 0) continue;
@@ -170,9 +170,9 @@ private:
                 variable = place;
             }
         next.zone = next.zone.projection(kept);
-        std::vector<TypicalTime> typical;
+        std::vector<Ticks> typical;
         for (const std::size_t variable : kept)
-            typical.push_back(variable == now_ ? next.history->typical : from_.typical[variable]);
+            typical.push_back(variable == now_ ? next.history->time : from_.typical[variable]);
         next.typical = std::move(typical);
         successors_.push_back(std::move(next));
         continued_ = true;
@@ -184,10 +184,10 @@ private:
         made->previous = from_.history;
         made->reaction = reaction;
         made->inputs = next.inputs;
-        made->typical = typical_time(next.zone);
-        made->zone = next.zone.projection(instant_and_clocks());
+        made->number = from_.history ? from_.history->number + 1 : 0;
+        made->time = time_of_instant(next.zone);
         const std::uint64_t stored = check_.settings_.shown_instants;
-        if (made->typical.number % stored == 0) {
+        if (made->number % stored == 0) {
             Instant* oldest = made.get();
             for (std::uint64_t k = 0; k < stored && oldest != nullptr; ++k) oldest = oldest->previous.get();
             if (oldest != nullptr) oldest->previous.reset();
@@ -195,33 +195,24 @@ private:
         return made;
     }
 
-    /// Returns the variables that are the first ones in the zone of a successor.
-    std::vector<std::size_t> instant_and_clocks() const {
-        std::vector<std::size_t> variables = {0, now_};
-        for (std::size_t k = 0; k < check_.settings_.clocks.size(); ++k) variables.push_back(first_clock + k);
-        return variables;
+    Ticks time_of_instant(const Zone& zone) const {
+        return std::clamp(cause_time(zone), zone.lower(now_), zone.upper(now_));
     }
 
-    /// Returns the time of the latest event that the instant observes. If the offsets of clocks determine which event is
-    /// the latest, the offsets are those nearest to zero.
-    TypicalTime typical_time(const Zone& zone) const {
-        TypicalTime latest = from_.history ? from_.typical[last] : TypicalTime{.time = check_.begin_};
-        const auto add = [&](Ticks time, std::size_t clock) {
-            if (time + nearest_to_zero(zone, clock) > latest.time + nearest_to_zero(zone, latest.clock))
-                latest = {time, clock};
-        };
+    /// Returns the time of the latest event that the instant observes, which is the time of the instant if the
+    /// controller reacts immediately.
+    Ticks cause_time(const Zone& zone) const {
+        Ticks time = from_.history ? from_.typical[last] : check_.begin_;
         for (const Running& running : running_)
             if ((running.is_fall ? fall_over_ : rise_over_)[running.element])
-                add(from_.typical[running.start].time + running.duration, from_.typical[running.start].clock);
+                time = std::max(time, from_.typical[running.start] + running.duration);
         for (std::size_t k = 0; k < used_.size(); ++k)
             if (used_[k] != from_.used[k]) {
                 const Change& change = *check_.signals_[k].at(used_[k] - 1);
-                add(change.time, change.clock);
+                const Ticks earlier = std::clamp(Ticks{0}, zone.lower(change.clock), zone.upper(change.clock));
+                time = std::max(time, change.time + earlier);
             }
-        const Ticks clock = nearest_to_zero(zone, latest.clock);
-        latest.time = std::clamp(latest.time + clock, zone.lower(now_), zone.upper(now_)) - clock;
-        latest.number = from_.history ? from_.history->typical.number + 1 : 0;
-        return latest;
+        return time;
     }
 
     RecordingCheck& check_;
@@ -284,12 +275,13 @@ void RecordingCheck::begin(const RecordedSample& sample) {
     power_on.rise.resize(elements_.size());
     power_on.fall.resize(elements_.size());
     power_on.zone.assign(power_on.zone.add(), begin_ - settings_.jitter - 1);
-    power_on.typical.resize(first_clock + settings_.clocks.size());
+    power_on.typical = {0, begin_};
     for (const Ticks bound : settings_.clocks) {
         const std::size_t clock = power_on.zone.add();
         [[maybe_unused]] const bool possible =
             power_on.zone.constrain(clock, 0, bound) && power_on.zone.constrain(0, clock, bound);
         assert(possible);
+        power_on.typical.push_back(0);
     }
     hypotheses_ = {std::move(power_on)};
 }

@@ -115,19 +115,13 @@ private:
             return position - first < changes.size() ? &changes[position - first] : nullptr;
         }
     };
-    /// Time of an instant if the controller reacts immediately: `time` plus the value of the variable `clock`.
-    struct TypicalTime {
-        Ticks time = 0;
-        std::size_t clock = 0;
-        std::uint64_t number = 0;  ///< number of the instant
-    };
     /// An instant of a timing, with a pointer to the previous instant if that instant is stored.
     struct Instant {
         std::shared_ptr<Instant> previous = {};
         std::shared_ptr<const Reaction> reaction = {};
         std::vector<std::int64_t> inputs = {};
-        TypicalTime typical = {};
-        Zone zone = {};  ///< the instant, as the variable `last`, and the clocks
+        Ticks time = 0;  ///< a typical time of the instant
+        std::uint64_t number = 0;
     };
     struct Hypothesis {
         StatePointer state = {};
@@ -142,7 +136,7 @@ private:
         /// For each output signal: zone variable of the first instant whose change of the output is not yet assigned to
         /// a recorded change, or 0 if there is no such instant.
         std::vector<std::size_t> hidden = {};
-        std::vector<TypicalTime> typical = {};  ///< for each instant of the zone
+        std::vector<Ticks> typical = {};  ///< for each variable of the zone: a typical time, to be printed
         std::shared_ptr<Instant> history = {};
     };
     /// The end of the timing that agrees with the longest part of the recording.
@@ -156,12 +150,6 @@ private:
     /// The limit that ended the check: the number of hypotheses (Orders), the number of reactions for one sample
     /// (Reactions), or a stop by the caller (Stopped).
     enum class Limit : std::uint8_t { None, Orders, Reactions, Stopped };
-    /// The stored instants of a hypothesis, oldest first, and their times for offsets of the clocks.
-    struct ShownTiming {
-        std::vector<const Instant*> instants = {};
-        std::vector<Ticks> times = {};
-        std::vector<Ticks> clocks = {};  ///< values of the first variables of the zone; 0 for an instant
-    };
     class Expansion;
 
     void begin(const RecordedSample& sample);
@@ -177,11 +165,9 @@ private:
     void poll();
     std::uint64_t line_at(Ticks time) const;
     std::int64_t microseconds(Ticks time) const;
-    void explain_end(RecordingVerdict& verdict) const;
-    Deviation deviation(const ShownTiming& timing) const;
-    ShownTiming timing(const Hypothesis& hypothesis, Zone zone) const;
-    void add_run(const ShownTiming& timing, RecordingVerdict& verdict) const;
-    std::vector<ClockOffset> offsets(const std::vector<Zone>& zones) const;
+    Deviation deviation() const;
+    void add_run(const Hypothesis& hypothesis, RecordingVerdict& verdict) const;
+    std::vector<ClockOffset> offsets() const;
 
     const Chart& source_;
     RecordingSettings settings_;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 
 #include "run/project.hpp"
 #include "run/recording/recording_check.hpp"
@@ -19,42 +18,17 @@ std::uint64_t RecordingCheck::line_at(Ticks time) const {
     return line;
 }
 
-/// Determines the times of the stored instants for offsets that `zone`, the zone of the hypothesis at the end of the
-/// check, permits: the offset of each clock is as near to zero as the previous ones permit.
-RecordingCheck::ShownTiming RecordingCheck::timing(const Hypothesis& hypothesis, Zone zone) const {
-    ShownTiming result;
-    result.clocks.resize(first_clock + settings_.clocks.size());
-    for (std::size_t clock = first_clock; clock < result.clocks.size(); ++clock) {
-        result.clocks[clock] = nearest_to_zero(zone, clock);
-        [[maybe_unused]] const bool possible = fix(zone, clock, result.clocks[clock]);
-        assert(possible);
-    }
+void RecordingCheck::add_run(const Hypothesis& hypothesis, RecordingVerdict& verdict) const {
+    std::vector<const Instant*> instants;
     for (const Instant* instant = hypothesis.history.get(); instant != nullptr; instant = instant->previous.get())
-        result.instants.push_back(instant);
-    std::ranges::reverse(result.instants);
-    for (const Instant* const instant : result.instants) {
-        Zone bounds = instant->zone;
-        bool possible = true;
-        for (std::size_t clock = first_clock; possible && clock < result.clocks.size(); ++clock)
-            possible = fix(bounds, clock, result.clocks[clock]);
-        Ticks time = instant->typical.time + result.clocks[instant->typical.clock];
-        // The offsets of a joined hypothesis can require another order of the events of its history (see `join`). The
-        // bounds of the instant then do not apply.
-        if (possible) time = std::clamp(time, bounds.lower(last), bounds.upper(last));
-        result.times.push_back(result.times.empty() ? time : std::max(time, result.times.back()));
-    }
-    return result;
-}
-
-void RecordingCheck::add_run(const ShownTiming& timing, RecordingVerdict& verdict) const {
+        instants.push_back(instant);
+    std::ranges::reverse(instants);
     verdict.run = project(source_, ExecutionMode::StabilitySearch);
-    for (std::size_t k = 0; k < timing.instants.size(); ++k) {
-        const Instant& instant = *timing.instants[k];
+    for (const Instant* const instant : instants)
         append_instant(
-            verdict.run, instant.typical.number == 0 ? "power-on" : "cycle", instant.reaction->fired,
-            project(source_, *instant.reaction->after, instant.inputs, timing.times[k] / settings_.ticks_per_ms));
-    }
-    verdict.run_is_complete = timing.instants.empty() || timing.instants.front()->typical.number == 0;
+            verdict.run, instant->number == 0 ? "power-on" : "cycle", instant->reaction->fired,
+            project(source_, *instant->reaction->after, instant->inputs, instant->time / settings_.ticks_per_ms));
+    verdict.run_is_complete = instants.empty() || instants.front()->number == 0;
 }
 
 std::int64_t RecordingCheck::microseconds(Ticks time) const {
@@ -62,7 +36,7 @@ std::int64_t RecordingCheck::microseconds(Ticks time) const {
     return time / unit * 1000 + time % unit * 1000 / unit;
 }
 
-Deviation RecordingCheck::deviation(const ShownTiming& timing) const {
+Deviation RecordingCheck::deviation() const {
     const Hypothesis& hypothesis = end_->hypothesis;
     const Signal& signal = signals_[end_->signal];
     Deviation result;
@@ -71,16 +45,12 @@ Deviation RecordingCheck::deviation(const ShownTiming& timing) const {
     result.missing_change = end_->missing_change;
     if (end_->missing_change) {
         const std::size_t hidden = hypothesis.hidden[end_->signal];
-        const TypicalTime& change = hypothesis.typical[hidden];
-        Ticks time = change.time + timing.clocks[change.clock];
-        for (std::size_t k = 0; k < timing.instants.size(); ++k)
-            if (timing.instants[k]->typical.number == change.number) {
-                time = timing.times[k];
-                result.allowed = timing.instants[k]->reaction->after->outputs[signal.variable.index];
-            }
-        result.time_us = microseconds(time);
+        result.time_us = microseconds(hypothesis.typical[hidden]);
         result.line = line_at(hypothesis.zone.upper(hidden) + settings_.jitter - hypothesis.zone.lower(signal.clock));
         result.recorded = hypothesis.visible[end_->signal];
+        for (const Instant* instant = hypothesis.history.get(); instant != nullptr; instant = instant->previous.get())
+            if (instant->time >= hypothesis.typical[hidden])
+                result.allowed = instant->reaction->after->outputs[signal.variable.index];
     } else {
         result.time_us = microseconds(end_->change.time);
         result.line = end_->change.line;
@@ -90,10 +60,17 @@ Deviation RecordingCheck::deviation(const ShownTiming& timing) const {
     return result;
 }
 
-/// Returns the range of the offset of each clock in `zones`, or nothing if there are no zones.
-std::vector<ClockOffset> RecordingCheck::offsets(const std::vector<Zone>& zones) const {
+/// For each clock: the range of its offset in the timings that are admissible so far. Without such a timing: in the
+/// timing that explains most of the recording, or nothing if a limit or a model error ended the check.
+std::vector<ClockOffset> RecordingCheck::offsets() const {
+    std::vector<Zone> zones;
+    for (const Hypothesis& hypothesis : hypotheses_)
+        if (auto zone = zone_of_next(hypothesis)) zones.push_back(std::move(*zone));
+    if (hypotheses_.empty() && end_ && limit_ == Limit::None && problem_.empty())
+        zones.push_back(end_->hypothesis.zone);
+    if (zones.empty()) return {};
     std::vector<ClockOffset> offsets;
-    for (std::size_t k = 0; k < settings_.clocks.size() && !zones.empty(); ++k) {
+    for (std::size_t k = 0; k < settings_.clocks.size(); ++k) {
         Ticks low = Zone::unbounded, high = -Zone::unbounded;
         for (const Zone& zone : zones) {
             low = std::min(low, -zone.upper(first_clock + k));
@@ -104,48 +81,31 @@ std::vector<ClockOffset> RecordingCheck::offsets(const std::vector<Zone>& zones)
     return offsets;
 }
 
-/// Sets the kind and the reason of the verdict if no timing is admissible, or if a limit ended the check.
-void RecordingCheck::explain_end(RecordingVerdict& verdict) const {
-    verdict.kind = RecordingVerdict::Kind::Unknown;
+RecordingVerdict RecordingCheck::verdict() const {
+    using Kind = RecordingVerdict::Kind;
+    RecordingVerdict result{.chart = source_.name, .offsets = offsets()};
+    if (!hypotheses_.empty()) add_run(hypotheses_.front(), result);
+    if (!begun_ || !hypotheses_.empty()) return result;
     if (limit_ != Limit::None) {
+        result.kind = Kind::Unknown;
         const std::string remedy = settings_.clocks.empty() ? "reduce the jitter" : "reduce the jitter or the skew";
-        verdict.reason = limit_ == Limit::Orders      ? "too many orders of events are possible; " + remedy
-                         : limit_ == Limit::Reactions ? "too many possible sequences of instants between two samples; "
-                                                        "record more samples or " +
-                                                            remedy
-                                                      : "stopped before the end of the log; no deviation up to this "
-                                                        "sample";
+        result.reason = limit_ == Limit::Orders      ? "too many orders of events are possible; " + remedy
+                        : limit_ == Limit::Reactions ? "too many possible sequences of instants between two samples; "
+                                                       "record more samples or " +
+                                                           remedy
+                                                     : "stopped before the end of the log; no deviation up to this "
+                                                       "sample";
     } else if (!problem_.empty() || !end_) {
-        verdict.reason = fmt::format(
+        result.kind = Kind::Unknown;
+        result.reason = fmt::format(
             "an admissible timing has a model error at {} ms, and no other timing explains the recording: {}",
             problem_time_ / settings_.ticks_per_ms, problem_);
     } else {
-        verdict.kind = RecordingVerdict::Kind::Deviates;
+        result.kind = Kind::Deviates;
     }
-}
-
-RecordingVerdict RecordingCheck::verdict() const {
-    RecordingVerdict result{.chart = source_.name};
-    if (!begun_) return result;
-    const Hypothesis* shown = nullptr;
-    std::vector<Zone> zones;  // of the timings that are admissible so far or, without such a timing, of `end_`
-    for (const Hypothesis& hypothesis : hypotheses_)
-        if (auto zone = zone_of_next(hypothesis)) {
-            if (zones.empty()) shown = &hypothesis;
-            zones.push_back(std::move(*zone));
-        }
-    if (hypotheses_.empty()) {
-        explain_end(result);
-        if (end_ && limit_ == Limit::None) shown = &end_->hypothesis;
-        if (result.kind == RecordingVerdict::Kind::Deviates) zones.push_back(end_->hypothesis.zone);
-    } else if (shown == nullptr) {
-        shown = &hypotheses_.front();
-    }
-    result.offsets = offsets(zones);
-    if (shown == nullptr) return result;
-    const ShownTiming timing = this->timing(*shown, zones.empty() ? shown->zone : zones.front());
-    add_run(timing, result);
-    if (hypotheses_.empty()) result.deviation = deviation(timing);
+    if (!end_ || limit_ != Limit::None) return result;
+    result.deviation = deviation();
+    add_run(end_->hypothesis, result);
     return result;
 }
 

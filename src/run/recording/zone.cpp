@@ -68,8 +68,4 @@ std::optional<Zone> Zone::joined(const Zone& other) const {
     return hull;
 }
 
-Ticks nearest_to_zero(const Zone& zone, std::size_t x) { return std::clamp(Ticks{0}, zone.lower(x), zone.upper(x)); }
-
-bool fix(Zone& zone, std::size_t x, Ticks value) { return zone.constrain(x, 0, value) && zone.constrain(0, x, -value); }
-
 }  // namespace grafverif

@@ -49,10 +49,4 @@ private:
     std::vector<Ticks> bounds_ = {0};  ///< at x, y: upper bound of x - y for each pair of variables
 };
 
-/// Returns the value of `x` in the zone that is nearest to zero.
-Ticks nearest_to_zero(const Zone& zone, std::size_t x);
-/// Sets `x` to `value`, and restricts the other variables accordingly. Returns false if the zone would be empty; the
-/// zone is then invalid.
-[[nodiscard]] bool fix(Zone& zone, std::size_t x, Ticks value);
-
 }  // namespace grafverif
