@@ -348,9 +348,7 @@ private:
                 answer = {Comparison::Outcome::Different, {}, {}};
             } else if (!queries_inputs && verdict.outcome == Outcome::Violated) {
                 if (!found.runs[k])
-                    return {Comparison::Outcome::Unknown,
-                            "an engine found a difference without a trace; the difference is not confirmed",
-                            {}};
+                    return {Comparison::Outcome::Unknown, "the difference is not confirmed by a trace", {}};
                 answer = {Comparison::Outcome::Different, {}, scans_of(both, *found.runs[k])};
             }
         }

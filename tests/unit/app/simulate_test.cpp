@@ -138,7 +138,7 @@ TEST(Simulate, StopsAScriptAtItsFirstCommandThatCannotBeExecuted) {
     };
     for (const Case& c : std::vector<Case>{
              {"BUTTON = true\n", ":1: error: no move can set `BUTTON` to true now; let 1 s pass\n"},
-             {"wait 1s\n\nBUTTON = false\n", ":3: error: `BUTTON` is false already\n"},
+             {"wait 1s\n\nBUTTON = false\n", ":3: error: `BUTTON` is already false\n"},
              {"LAMP = true\n", ":1: error: unknown input `LAMP`\n"},
              {"wait 500ms\n",
               ":1: error: the duration is not a multiple of the time unit 1 s; wait for a multiple of it\n"},

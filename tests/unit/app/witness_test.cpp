@@ -187,6 +187,7 @@ TEST(Certificate, WitnessCircuitsOfPdrAreInductive) {
         const std::string name = entry.path().filename().string(), ending = ".model.aag";
         if (!name.ends_with(ending)) continue;
         const std::string base = "tanks/" + name.substr(0, name.size() - ending.size());
+        if (fs::exists(folder.file(base + ".cex"))) continue;  // a run, not a proof
         const std::string model = folder.read(base + ending), witness = folder.read(base + ".witness.aag");
         EXPECT_EQ(flaw(model, witness), "") << name;
         expect_proofs([&](const std::string& end) { return folder.read(base + end); });

@@ -216,7 +216,7 @@ TEST(FaultDetection, ProposesOneLiteralIfItIsTrueOnlyWithTheFault) {
 /// With a strict constraint, a search in integer time does not prove that the property holds without faults.
 TEST(FaultDetection, ProposesNoPropertyWithoutAProofInDenseTime) {
     std::string text = driveway("");
-    text.replace(text.find("when t >= 3s do OPEN"), 11, "when t > 2s");
+    text.replace(text.find("when t >= 3s do OPEN"), 12, "when t > 2s");
     const Analysed found = analysed(text);
     EXPECT_TRUE(found.analysis.faults[2].visible.decided);
     EXPECT_FALSE(found.analysis.faults[2].visible.observer.has_value());
