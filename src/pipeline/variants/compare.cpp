@@ -347,8 +347,7 @@ private:
             } else if (verdict.property == "continues" && verdict.outcome == Outcome::Violated) {
                 answer = {Comparison::Outcome::Different, {}, {}};
             } else if (!queries_inputs && verdict.outcome == Outcome::Violated) {
-                if (!found.runs[k])
-                    return {Comparison::Outcome::Unknown, "the difference is not confirmed by a trace", {}};
+                if (!found.runs[k]) return {Comparison::Outcome::Unknown, "the difference has no trace", {}};
                 answer = {Comparison::Outcome::Different, {}, scans_of(both, *found.runs[k])};
             }
         }
