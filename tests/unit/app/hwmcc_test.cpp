@@ -89,7 +89,8 @@ TEST(Pdr, ProvesShowsRunsAndOmitsPropertiesOfRuns) {
     EXPECT_TRUE(holds(result.out, "lit")) << result.out;
     EXPECT_NE(result.out.find("dark: violated"), std::string::npos) << result.out;
     EXPECT_NE(result.out.find("counterexample:"), std::string::npos) << result.out;
-    EXPECT_NE(result.out.find("why: this engine decides only properties of states, not of runs"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("why: this engine decides only properties of states, not of runs"), std::string::npos)
+        << result.out;
 }
 
 TEST(Bmc, ShowsShortestRunsAndTheSearchedLength) {
@@ -106,7 +107,8 @@ TEST(Bmc, ShowsShortestRunsAndTheSearchedLength) {
     EXPECT_NE(far.out.find("dark: violated"), std::string::npos) << far.out;
     EXPECT_NE(far.out.find("note (lit, dark): no shorter trace exists"), std::string::npos) << far.out;
     EXPECT_NE(far.out.find("counterexample:"), std::string::npos) << far.out;
-    EXPECT_NE(far.out.find("why: this engine decides only properties of states, not of runs"), std::string::npos) << far.out;
+    EXPECT_NE(far.out.find("why: this engine decides only properties of states, not of runs"), std::string::npos)
+        << far.out;
 
     const Result near = grafverif({"check", file, "--engine", "bmc", "--max-steps", "1", "--property", "dark"});
     EXPECT_EQ(near.code, ExitCode::Unknown) << near.err;
