@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "check/timed/property_queries.hpp"
+#include "pipeline/models.hpp"
 #include "pipeline/variants/in_parallel.hpp"
 #include "pipeline/variants/read_again.hpp"
 #include "report/charts/tuning.hpp"
