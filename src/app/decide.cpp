@@ -81,10 +81,7 @@ std::optional<Report> system_report(const SystemToCheck& system, CommandContext&
 /// Adds verdicts that do not concern the transition system to the omitted verdicts of the certificate.
 void note_omitted(const Report& report, CertificateSummary& summary) {
     for (const PropertyResult& answer : report.answers)
-        if (const std::string& name = answer.verdict.property;
-            std::ranges::find(summary.certified, name, &CertificateSummary::Certified::property) ==
-                summary.certified.end() &&
-            std::ranges::find(summary.omitted, name, &CertificateSummary::Omitted::property) == summary.omitted.end())
+        if (const std::string& name = answer.verdict.property; !summary.contains(name))
             summary.omitted.push_back({name, "the circuit does not contain the property"});
 }
 

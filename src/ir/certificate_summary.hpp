@@ -2,6 +2,7 @@
 // CertificateSummary: the verdicts that a certificate proves, and the type of each proof (docs/how-to/certificates.md).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -37,6 +38,12 @@ struct CertificateSummary {
     std::string folder = {};  ///< the folder of the files
     std::vector<Certified> certified = {};
     std::vector<Omitted> omitted = {};
+
+    /// True if `property` is certified or omitted.
+    bool contains(std::string_view property) const {
+        return std::ranges::find(certified, property, &Certified::property) != certified.end() ||
+               std::ranges::find(omitted, property, &Omitted::property) != omitted.end();
+    }
 };
 
 }  // namespace grafverif

@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <unordered_set>
 
+#include "ir/integer_operators.hpp"
 #include "support/overloaded.hpp"
 
 namespace grafverif {
@@ -25,7 +26,8 @@ std::size_t hash_of(Op op, std::int64_t value, std::span<const Id<Expr>> operand
     return static_cast<std::size_t>(hash);
 }
 
-/// Returns the value of a binary operator on integers (Booleans are 0 and 1); empty if undefined.
+}  // namespace
+
 std::optional<std::int64_t> combine(Op op, std::int64_t left, std::int64_t right) {
     std::int64_t result = 0;
     switch (op) {
@@ -69,8 +71,6 @@ std::optional<std::int64_t> combine(Op op, std::int64_t left, std::int64_t right
     }
     unreachable();
 }
-
-}  // namespace
 
 bool is_constant(Op op) { return op <= Op::Duration; }
 bool is_leaf(Op op) { return op >= Op::Variable && op <= Op::At; }

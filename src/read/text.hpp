@@ -32,8 +32,8 @@ struct ReadContext {
     std::function<std::optional<std::string>(const std::string& path, std::string& why)> load = {};
     std::span<const LibraryEntry> library = {};
     bool lossy = false;  ///< true: omit constructs that a chart cannot represent, with a warning
-    /// Returns the identity of the file at `path`. The identity is equal for all paths to one file, and empty if there
-    /// is no file. If this function is not set, every path is treated as a separate file.
+    /// Returns the identity of the file at `path`. The identity is equal for all paths to one file, and empty if the
+    /// file does not exist. If this function is not set, every path is treated as a separate file.
     std::function<std::string(const std::string& path)> identity = {};
     /// Folders in which includes are searched, after the folder of the including file.
     std::span<const std::string> folders = {};

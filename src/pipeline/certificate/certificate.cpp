@@ -11,6 +11,7 @@
 #include "check/timed/timed.hpp"
 #include "compose/observe.hpp"
 #include "emit/certificate/certificate.hpp"
+#include "ir/network_run.hpp"
 #include "ir/probes.hpp"
 #include "ir/step_names.hpp"
 #include "pipeline/certificate/fragment_proofs.hpp"
@@ -191,10 +192,9 @@ private:
     }
 
     bool ends_with_race(const Run& run) const {
-        NetworkState state = initial_state(flat_);
-        for (const Move& move : run.moves)
-            if (perform(flat_, state, move).result != Step::Result::Done) return true;
-        return flat_.race.valid() && state.variables[flat_.race.index] != flat_.variables[flat_.race].initial;
+        const std::optional<std::vector<NetworkState>> states = replay(flat_, run);
+        return !states || (flat_.race.valid() &&
+                           states->back().variables[flat_.race.index] != flat_.variables[flat_.race].initial);
     }
 
     /// Returns the reason why the complete search does not certify a verdict, or an empty string.

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "emit/certificate/certificate.hpp"
+#include "ir/integer_operators.hpp"
 #include "ir/junction.hpp"
 #include "ir/network_clocks.hpp"
 
@@ -328,24 +329,9 @@ private:
     }
 
     static std::int64_t combined(Op op, std::int64_t left, std::int64_t right) {
-        std::int64_t result = 0;
-        bool fails = false;
-        switch (op) {
-        case Op::Equal: return left == right ? 1 : 0;
-        case Op::NotEqual: return left != right ? 1 : 0;
-        case Op::Less: return left < right ? 1 : 0;
-        case Op::LessEqual: return left <= right ? 1 : 0;
-        case Op::Greater: return left > right ? 1 : 0;
-        case Op::GreaterEqual: return left >= right ? 1 : 0;
-        case Op::Plus: fails = __builtin_add_overflow(left, right, &result); break;
-        case Op::Minus: fails = __builtin_sub_overflow(left, right, &result); break;
-        case Op::Times: fails = __builtin_mul_overflow(left, right, &result); break;
-        default:
-            fails = right == 0 || (left == std::numeric_limits<std::int64_t>::min() && right == -1);
-            if (!fails) result = op == Op::Divide ? left / right : left % right;
-        }
-        if (fails) throw NoValue();
-        return result;
+        const std::optional<std::int64_t> result = combine(op, left, right);
+        if (!result) throw NoValue();
+        return *result;
     }
 
     const Network& network_;

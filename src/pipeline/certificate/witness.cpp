@@ -149,16 +149,10 @@ void add_run(const std::string& property, const Circuit& circuit, pdr::Literal b
 void certify_again(const SystemToCheck& check, const Report& report, const CheckOptions& options,
                    Certificate& certificate) {
     CertificateSummary& summary = certificate.summary;
-    const auto is_listed = [&](const std::string& name) {
-        return std::ranges::find(summary.certified, name, &CertificateSummary::Certified::property) !=
-                   summary.certified.end() ||
-               std::ranges::find(summary.omitted, name, &CertificateSummary::Omitted::property) !=
-                   summary.omitted.end();
-    };
     PdrOptions search;
     for (const PropertyResult& answer : report.answers)
         if (const std::string& name = answer.verdict.property;
-            answer.verdict.outcome != Outcome::Unknown && !is_listed(name) &&
+            answer.verdict.outcome != Outcome::Unknown && !summary.contains(name) &&
             std::ranges::find(check.system.properties, name, &Property::name) != check.system.properties.end())
             search.properties.push_back(name);
     set_limits(search, options.limits);
@@ -175,7 +169,7 @@ void certify_again(const SystemToCheck& check, const Report& report, const Check
         const auto again = std::ranges::find(found.verdicts, verdict.property, &Verdict::property);
         if (again != found.verdicts.end() && again->outcome != Outcome::Unknown && again->outcome != verdict.outcome)
             certificate.failures.push_back("PDR and BMC contradict the verdict on `" + verdict.property + "`");
-        if (is_listed(verdict.property)) continue;
+        if (summary.contains(verdict.property)) continue;
         summary.omitted.push_back({verdict.property, verdict.outcome == Outcome::Unknown
                                                          ? "the verdict is unknown"
                                                          : "neither an invariant nor a run to a state shows it"});

@@ -77,8 +77,8 @@ private:
     /// The number of quiescent states in which each pair of literals is true. The pair (k, k) is the literal k.
     struct Pairs {
         std::vector<std::uint32_t> counts = {};
-        bool exact =
-            false;  ///< true if each pair with the number 0 is true in no quiescent state of a run in dense time
+        /// True if a pair with the number 0 is false in each quiescent state of all runs in dense time.
+        bool exact = false;
     };
     /// Returns an empty result if a limit ends the search.
     std::optional<Pairs> pairs_in(Network network) const;

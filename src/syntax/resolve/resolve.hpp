@@ -41,8 +41,8 @@ std::optional<Component> resolve_component(const tree::File& file, const tree::C
                                            Diagnostics& diagnostics, Recorder record = {},
                                            std::uint64_t* copied = nullptr);
 
-/// Returns the first line of the comment directly above a declaration; empty if a blank line separates them or if there
-/// is no comment.
+/// Returns the first line of the comment directly above a declaration; empty if a blank line separates them or if the
+/// comment does not exist.
 std::string summary(const tree::File& file, Span declaration);
 
 DeclarationKind declaration_kind(Chart::VariableKind kind);
