@@ -67,10 +67,10 @@ private:
         std::size_t cleared = 0;
         /// `has_value` is true if the operands are proved to have values in every reachable state.
         bool open = true, has_value = false;
-        const std::atomic<bool>* decided_elsewhere = nullptr;  ///< true if another engine has decided the query; may be
-                                                               ///< null
-        std::function<PdrAnswer()> search = {};                ///< continues an interrupted PDR search; empty if there
-                                                               ///< is none
+        /// True if another engine has decided the query; may be null.
+        const std::atomic<bool>* decided_elsewhere = nullptr;
+        /// Continues an interrupted PDR search; empty without such a search.
+        std::function<PdrAnswer()> search = {};
 
         bool is_open() const { return open && (decided_elsewhere == nullptr || !decided_elsewhere->load()); }
         bool is_reachability() const { return property.pattern == Pattern::Reachable; }
