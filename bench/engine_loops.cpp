@@ -50,7 +50,7 @@ Network renamed(Network network, const std::string& suffix) {
     return network;
 }
 
-/// Returns the union of both networks. The indices of the second network follow those of the first.
+/// Returns the union of `left` and `right`. The indices of `right` follow those of `left`.
 Network beside(Network left, const Network& right) {
     const auto variables = static_cast<std::uint32_t>(left.variables.size());
     const auto processes = static_cast<std::uint32_t>(left.processes.size());
@@ -76,7 +76,8 @@ Network beside(Network left, const Network& right) {
     return left;
 }
 
-/// The names declared in a model text, which are numbered so that several copies of the text can form one loop.
+/// Numbers the names declared in a model text, so that several copies of the text can form one
+/// loop.
 class Numbered {
 public:
     explicit Numbered(const std::string& text) {
@@ -94,8 +95,8 @@ public:
             if (text.find("grafcet " + name + " {") != std::string::npos) chart_ = name;
     }
 
-    /// Returns `text` with `_k` appended to each name. In properties, step names are prefixed with the numbered chart
-    /// name.
+    /// Returns `text` with `_` and the number `k` appended to each declared name. In properties,
+    /// step names are prefixed with the numbered chart name.
     std::string with(int k, const std::string& text) const {
         static const std::regex word("[A-Za-z_]\\w*");
         const std::string number = "_" + std::to_string(k);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Closed loops for measurements of the engines. They are read from the samples or generated as text, and composed.
+// Closed loops for measurements of the engines. The loops are read from samples or generated as
+// text, and then composed.
 #pragma once
 
 #include <string>
@@ -35,12 +36,12 @@ Network two_stations(Grain grain = Grain::Phased);
 /// time. The text of the sample is repeated for each station with numbered names (`P15_2`).
 std::string stations(int count);
 
-/// Returns a transfer line of `cells` drilling cells between buffers, which one PLC controls. With three cells, it is
-/// the text of the sample.
+/// Returns the text of a transfer line, controlled by one PLC, with `cells` drilling cells between
+/// buffers. With three cells, the text is that of `samples/transfer_line`.
 std::string transfer_line(int cells);
 
-/// Returns one chart that drives `cylinders` cylinders. All start together; each moves out and in again, and has three
-/// sensors.
+/// Returns one chart that drives `cylinders` cylinders. All cylinders start together; each cylinder
+/// moves out and in again, and has three sensors.
 std::string cylinders(int cylinders);
 
 }  // namespace grafverif::bench

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// bench_engine WHAT [safety] [jobs=N] [atomic|text] checks one model with the timed engine. It prints states,
-// transitions per second, bytes per state and verdicts. safety: check only state properties. jobs: number of threads.
-// text: print the generated model instead. WHAT is the path of a sample or one of:
+// bench_engine WHAT [safety] [jobs=N] [atomic|text] checks one model with the timed engine. The
+// output contains the number of states, the transitions per second, the bytes per state and the
+// verdicts. safety: check only state properties. jobs: number of threads. text: print the generated
+// model instead. WHAT is the path of a sample or one of:
 //   `station`, `cylinders N`
 //   `two`: two stations in one network, explored together
 //   `stations N`: N stations in one loop, checked compositionally
@@ -102,7 +103,8 @@ int main(int count, char** values) {
     if (said("safety", count, values)) options.properties = about_states(network);
     const double before = processor_seconds();
     const std::string what = values[1];
-    if (what == "line")  // `no timelock` requires the complete network, which exceeds the memory
+    // The check of `no timelock` needs the complete network of a line, which exceeds the memory.
+    if (what == "line")
         for (const Property& property : network.properties)
             if (property.pattern == Pattern::Never) options.properties.push_back(property.name);
     const bool by_parts = what == "stations" || what == "line";

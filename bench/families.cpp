@@ -66,7 +66,8 @@ void add_ring(Family& family, std::size_t steps) {
     family.steps += steps;
 }
 
-/// Adds branches below `step`, which may contain branches themselves. Returns the last step of each branch.
+/// Adds `branches` branches below `step`; if `levels` is greater than 1, each branch contains
+/// further branches. Returns the last step of each branch.
 std::vector<std::size_t> add_branches(Family& family, std::size_t step, std::size_t levels, std::size_t branches) {
     std::vector<std::size_t> opened, closing;
     for (std::size_t k = 0; k < branches; ++k) opened.push_back(family.step());

@@ -18,8 +18,9 @@ std::string basic_sequence(std::size_t steps);
 std::string hierarchical_parallel(std::size_t rings, std::size_t steps);
 
 /// Returns a chart with nested AND divergences. Step 1 opens an AND divergence into `branches` branches. Each branch is
-/// a step followed by the same structure one level deeper, up to `levels` levels; at the last level it is one step. A
-/// convergence and a closing step follow each branch. All branches converge to a last step, which leads back to step 1.
+/// a step followed by the same structure one level deeper, up to `levels` levels; at the last
+/// level, one step takes the place of the structure. A convergence and a closing step follow each
+/// branch. All branches converge to a last step, which leads back to step 1.
 std::string basic_parallel(std::size_t levels, std::size_t branches);
 
 }  // namespace grafverif::bench

@@ -7,9 +7,9 @@
 
 namespace grafverif::bench {
 
-/// Returns a closed loop whose chart is one ring of `steps` steps with the same number of transitions. It has 16 inputs
-/// from free push buttons and 16 outputs. Every tenth transition has a time condition, and every tenth step increments
-/// a counter.
+/// Returns a closed loop whose chart is one ring of `steps` steps with the same number of
+/// transitions. The chart has 16 inputs, driven by free push buttons, and 16 outputs. Every tenth
+/// transition has a time condition, and every tenth step increments a counter.
 std::string ring(std::size_t steps);
 
 /// Returns a chart of `count` independent assembly stations (DESDES06 Fig. 2).

@@ -2,8 +2,9 @@
 // bench_lsp [STEPS [KEYSTROKES]] measures the response times of the language server during typing.
 //
 // Each keystroke changes one character. Two times are measured after each keystroke: the time until the diagnostics
-// arrive, and then the time until the responses to all requests that an editor sends after a change have arrived. Both
-// are measured in real time and in processor time, including background threads.
+// arrive, and then the time until the responses to all requests that an editor sends after a change
+// have arrived. Both times are measured in real time and in processor time, including background
+// threads.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -128,7 +129,8 @@ Place place_in(const std::string& text) {
             at - text.rfind('\n', at) - 1};
 }
 
-/// Types a letter that makes the name unknown. Every second call removes it again.
+/// Types a letter that makes the name of an input unknown if `number` is odd; otherwise removes the
+/// letter.
 void type(Wire& wire, int number, const Place& at) {
     wire.say(fmt::format(
         R"({{"method": "textDocument/didChange", "params": {{"textDocument": {{{}, "version": {}}}, "contentChanges": [{{"range": {{"start": {}, "end": {}}}, "text": "{}"}}]}}}})",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Measures the stages of the translation of generated charts with 1,000 to 100,000 steps: read, derive, plant and
-// compose, emit. The time of each stage per step is reported; it must not grow with the number of steps.
+// Measures the stages of the translation of generated charts with 1,000 to 100,000 steps: reading,
+// derivation of equations, composition with the plant, and output for other tools. The time of each
+// stage per step is reported; it must not grow with the number of steps.
 #include <benchmark/benchmark.h>
 
 #include <sstream>

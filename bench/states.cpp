@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// bench_states FILE [SECONDS [PROPERTY...]] checks state properties one by one. It checks the closed loop of FILE with
-// interleaved plant automata in grain atomic. Every engine checks each property: the embedded engines separately and as
-// a portfolio, and ABC if it is on the PATH. The output is a table of processor seconds of all threads and programs.
-// After SECONDS (default: 60) of real time, a check is stopped; `>` then precedes its processor time.
+// bench_states FILE [SECONDS [PROPERTY...]] checks state properties one by one. The checked model
+// is the closed loop of FILE with interleaved plant automata and grain atomic. Every engine checks
+// each property: the embedded engines separately and as a portfolio, and ABC if it is on the PATH.
+// The output is a table of processor seconds of all threads and programs. After SECONDS (default:
+// 60) of real time, a check is stopped; `>` then precedes its processor time.
 #include <fmt/core.h>
 #include <sys/resource.h>
 
@@ -37,7 +38,7 @@ double processor_seconds() {
     return seconds;
 }
 
-/// Prints a column: the processor time of an engine for one property.
+/// Returns a table entry: the processor time of an engine for one property.
 template <class Options, class Check>
 std::string column(Options options, const std::string& property, double limit, const Check& check) {
     using Clock = std::chrono::steady_clock;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Measures the symbolic engine.
 //
-// bench_symbolic stations N: N independent assembly stations (DESDES06) in one chart with free inputs. The time shows
-// how the cost grows with the number of steps and inputs.
+// bench_symbolic stations N: N independent assembly stations (DESDES06) in one chart with free
+// inputs. The printed time shows how the cost grows with the number of steps and inputs.
 //
 // bench_symbolic PATH|cylinders N|line N|two APPROACH [SCHEDULE] [discrete] [atomic]: a closed loop with all
 // properties. The loop is samples/PATH, a loop with N cylinders, a transfer line of N cells, or two testing stations
@@ -132,7 +132,7 @@ void measure(const TransitionSystem& system, bool whole) {
         fmt::print(stderr, "\r{} steps deep, {} MiB, {:.1f} s ", now.depth, now.bytes >> 20U, now.seconds);
     };
     SymbolicOptions options;
-    options.witnesses = false;  // as in the command `check`
+    options.witnesses = false;  // the command `check` also omits witnesses by default
     if (std::getenv("ENGINE_PROGRESS") != nullptr) options.progress = progress;
     const SymbolicResult result = whole ? check_symbolic(system, options) : check_symbolic_by_parts(system, options);
     fmt::print("{} steps, {} inputs: {} states, {} steps deep, {} MiB, {:.2f} s\n",

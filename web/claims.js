@@ -17,8 +17,8 @@ export class Claims {
     value(term, moment) { return this.histories[term].value(moment); }
     // Returns the event since which the term has its value at `moment`.
     since(term, moment) { return this.histories[term].since(moment); }
-    // Returns the first event, from `moment` on, after which the term has this value in a state of the model; null if
-    // there is none.
+    // Returns the first event, from `moment` on, after which the term has the value `value` in a state of the model;
+    // null if there is none.
     first(term, value, moment) {
         const history = this.histories[term], {at, values} = history;
         for (let k = Math.max(history.place(moment), 0); k < at.length; ++k) {

@@ -46,8 +46,8 @@ const general_keys = [
 const keyName = (key) => (key === "Delete" ? "Del" : key.length === 1 ? key.toUpperCase() : key);
 const titleOf = (element) => element.kind === "step" ? `step ${element.name}` : element.kind === "transition" ? `transition ${element.name}` : `action ${element.text}`;
 
-// Number of lines of a drawing before its elements: the start tag, the title and the paper. Each further line is one
-// element.
+// Number of lines of a drawing before its elements: the start tag, the title and the background. Each further line is
+// one element.
 const header = 3;
 
 // Returns a map from each line of the text of a drawing to its nodes, or null if the lines and the nodes do not
@@ -138,7 +138,8 @@ class Drawing {
     // Returns the areas of an element in its drawing.
     areas(element) { return [element.area, element.condition_area].filter(Boolean); }
 
-    // Returns the element at the position of an event of the pointer. Areas of low elements are enlarged.
+    // Returns the element at the position of an event of the pointer. All areas are enlarged, areas of small height
+    // more than others.
     elementAt(event) {
         for (const [chart, figure] of [...this.place.children].entries()) {
             const box = figure.querySelector("svg")?.getBoundingClientRect();

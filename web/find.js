@@ -10,8 +10,9 @@ function nameIn(group, title) {
     return group.matches(".step, .transition") ? title.replace(/^(step|transition) /, "").replace(/, .*$/s, "") : null;
 }
 
-// Returns how well an element with this title matches the text: 0 for the name of a step or a transition, 1 for a
-// complete name in a condition or an action, 2 for a part of a name; null if it does not match. `X12` is step 12.
+// Returns how well an element with the given title matches the text; null if the element does not match. The result is
+// 0 for the name of a step or a transition, and 1 for a complete name in a condition or an action. For a part of a
+// name, the result is 2. `X12` is step 12.
 function rankOf(group, title, text) {
     const name = nameIn(group, title), low = (name ?? title).toLowerCase();
     if (name !== null && (low === text || (group.matches(".step") && `x${low}` === text))) return 0;

@@ -2,7 +2,7 @@
 // A button that copies the address of the displayed state.
 import {make} from "./dom.js";
 
-// Copies a text. Returns false if the browser does not permit it.
+// Copies a text. Returns false if the browser does not permit copying.
 async function copy(text) {
     try {
         await navigator.clipboard.writeText(text);

@@ -63,7 +63,7 @@ export class Page {
     }
 
     // If the page does not contain the run that the address names, shows the property of this name, or a message if
-    // there is none.
+    // no property has this name.
     miss(address, name) {
         const property = document.getElementById(`property-${name}`);
         if (property) {

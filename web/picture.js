@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Downloads of a drawing as SVG or PNG. A picture has light colours and contains the current highlights. It needs no
-// style sheet, because the computed colours, lines and fonts are stored in its elements.
+// Downloads of a drawing as SVG or PNG. A picture has light colours and contains the current highlights. A picture
+// needs no style sheet, because the computed colours, lines and fonts are stored in its elements.
 import {make} from "./dom.js";
 
 const inherited = ["color", "fill", "fill-opacity", "font-family", "font-size", "font-style", "font-weight", "stroke",

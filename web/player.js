@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The player of one run. It shows the drawn charts, the list of events, the values with their changes, explanations,
-// and the timing diagram, all at the same event. Buttons, a slider, keys, and addresses (`#P16/23`) control the player.
+// The player of one run. The player shows the drawn charts, the list of events, the values with their changes,
+// explanations, and the timing diagram, all at the same event. Buttons, a slider, keys, and addresses (`#P16/23`)
+// control the player.
 import {ChartView} from "./chart.js";
 import {Claims} from "./claims.js";
 import {make} from "./dom.js";
@@ -43,8 +44,8 @@ export class Player {
 
     chartOf(controller) { return this.page.charts[this.run.data.charts[controller]]; }
     isProgram(controller) { return this.chartOf(controller).program !== undefined; }
-    // Returns the transitions of a controller whose conditions the player explains. A program has none, because its
-    // conditions are lines of the program.
+    // Returns the transitions of a controller whose conditions the player explains. For a program, the result is empty,
+    // because its conditions are lines of the program.
     transitionsOf(controller) { return this.isProgram(controller) ? [] : this.chartOf(controller).transitions; }
 
     build() {
@@ -234,7 +235,7 @@ export class Player {
 
     words() {
         const row = this.run.rows[this.run.rowOf(this.moment)];
-        const inside = row && row.moment !== this.moment;  // true: the current event is not the last event of its row
+        const inside = row && row.moment !== this.moment;  // true if the current event is not the last event of its row
         const words = inside ? this.moveWords() : row ? [row.words, this.inputWords(), row.cleared && `cleared: ${row.cleared}`].filter(Boolean).join(" — ") : "";
         const loop = this.run.loopMoment(), ever = loop !== null && this.moment >= loop ? " Repeated forever from here." : "";
         const end = this.moment === this.run.last && this.run.data.end ? ` ${this.run.data.end}.` : "";

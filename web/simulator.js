@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The simulator. It stores a list of moves; each move is a line of a script for `grafverif simulate`. The server
-// executes the moves from power-on and returns the state to show. To undo a move, the simulator removes it from the
-// list. The address of the page contains the list.
+// The simulator. The simulator stores a list of moves; each move is a line of a script for `grafverif simulate`. The
+// server executes the moves from power-on and returns the state to show. To undo a move, the simulator removes it from
+// the list. The address of the page contains the list.
 
 import {make, prose} from "./dom.js";
 import {linkButton} from "./link.js";

@@ -114,7 +114,7 @@ export class Zoom {
     }
     by(factor, x, y) { this.to(this.scale * factor, x, y); }
 
-    // Applies the scale to all drawings, also to drawings that were replaced.
+    // Applies the scale to all drawings of the view, including drawings that have replaced others.
     refresh() {
         for (const svg of this.svgs()) {
             const {width, height} = svg.viewBox.baseVal;

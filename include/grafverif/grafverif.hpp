@@ -55,8 +55,8 @@ namespace grafverif {
 struct ReadOptions {
     /// Folders in which included files are searched, after the folder of the including file.
     std::vector<std::string> include_folders = {};
-    /// True: constructs of imported formats (AGRAFE, PLCopen XML, SFC) that a Chart cannot represent are omitted, with
-    /// a warning. False: these constructs are errors.
+    /// True: constructs of imported formats (AGRAFE, PLCopen XML, SFC) that a Chart cannot
+    /// represent are omitted, with a warning; false: these constructs are errors.
     bool lossy = false;
     /// Maps the name of a constant of closed loops to its value, as text. Each value overrides the constant in every
     /// loop that declares it. If no loop declares the constant, the error `no-such-choice` is reported.
@@ -150,9 +150,11 @@ struct CheckOptions {
     bool every_move = false;  ///< also return a trace row for each auxiliary move of the generated model
     Limits limits = {};
     bool profile = false;  ///< timed engine: compute a state profile even if the search finds few states
+
     /// Called once by each search of the timed engine, when the search has found 2^20 states.
     std::function<void(const StateProfile&)> many = {};
     bool whole = false;  ///< true: explore independent subsystems of a loop as one system; false: separately
+
     /// Number of threads; does not affect the verdicts. 0 selects one thread per core, for untimed checks at most two.
     unsigned jobs = 0;
 };
@@ -181,8 +183,8 @@ struct CompareOptions {
     /// charts is selected. The divisor is small enough that all timers can start in different scans, unless this
     /// requires fractions of a millisecond.
     std::optional<std::int64_t> resolution_ms = {};
-    /// Initial situations of the two charts, which replace their initial steps. Either both situations are given, or
-    /// both are empty.
+    /// Initial situations of the two charts, which replace their initial steps; either both
+    /// situations are given, or both are empty.
     std::array<std::vector<Id<Chart::Step>>, 2> from = {};
     /// True: search for a shortest distinguishing sequence; false: any distinguishing sequence is sufficient.
     bool shortest = true;
@@ -218,7 +220,8 @@ std::optional<TestSequence> test_of(const Model& model, Id<Chart> chart, const C
 /// (docs/reference/trace-format.md).
 std::string text_of(const Report& report);
 std::string json_of(const Report& report);
-/// Returns the text with file, line and column of each property; `sources` are the sources of the model.
+/// Returns the text of the report with file, line and column of each property; `sources` are the
+/// sources of the model.
 std::string text_of(const Report& report, const Sources& sources);
 std::string json_of(const Report& report, const Sources& sources);
 std::string text_of(const ChartRun& run);
@@ -265,8 +268,8 @@ public:
     /// Returns the index of the row in which a step was first forced, or nullopt if no step was forced. From this row
     /// on, the run is not a run of the model.
     std::optional<std::size_t> what_if_row() const;
-    /// Returns a contradiction between IEC 60848 and the run before the first forced step (an internal error), or an
-    /// empty string.
+    /// Returns a description of a contradiction between IEC 60848 and the run before the first
+    /// forced step (an internal error), or an empty string.
     std::string disagreement() const;
 
 private:

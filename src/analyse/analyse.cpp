@@ -128,8 +128,8 @@ private:
     }
 
     /// Decides further queries if the searches of all cones except the complete chart are complete, and these cones
-    /// together contain the complete chart. In this case, if an instant of the chart never ends, an instant of at least
-    /// one of these cones never ends either.
+    /// together contain the complete chart. If such cones contain the complete chart and an instant
+    /// of the chart never ends, an instant of at least one cone never ends either.
     void add_up() {
         for (const ConeSearch& part : parts_)
             if (!whole(part) && (!part.complete || part.doubtful)) return;
@@ -277,8 +277,8 @@ private:
 };
 
 /// True if a declaration in the chart that accepts findings about `subject` also accepts a finding about `found`. The
-/// subject `H.` belongs to a declaration without subject in the partial chart `H`, which is an instance of a chart.
-/// Such a declaration accepts findings about all elements of `H`.
+/// subject `H.` belongs to a declaration without subject in the partial chart `H`, which is an
+/// instance of a chart; this declaration accepts findings about all elements of `H`.
 bool accepts(const Chart& chart, std::string_view subject, std::string_view found) {
     if (subject.empty() || subject == found) return true;
     if (!subject.ends_with('.')) return false;
@@ -313,7 +313,8 @@ void add_notes(const Equations& equations, const AnalyseOptions& options, Analys
                                   : "each cycle samples the inputs and executes one evolution");
     if (!equations.timers.empty() && !options.instability_only)
         result.notes.emplace_back(
-            "a path back may require an order of timer expiries that the durations exclude; traps caused only by "
+            "a path to an earlier situation may require an order of timer "
+            "expiries that the durations exclude; traps caused only by "
             "durations are not detected");
     if (std::ranges::any_of(result.findings, is_break, &Finding::code))
         result.notes.emplace_back(

@@ -21,9 +21,10 @@
 // run/interpreter.hpp); the notes of the analysis state that the continuation is not explored.
 //
 // Time: between instants, the output of a timer may become true if the term that the timer watches is true, and false
-// if the term is false. Among timers without fall times that watch the same term, timers with shorter times expire
-// first. The search uses no other information about time. For each run that shows a finding, event times are then
-// computed from constraints on the times of its instants. The interpreter replays the run with these times.
+// if the term is false. Among timers without fall times that watch the same term, timers with
+// shorter times expire first; the search uses no other information about time. For each run that
+// shows a finding, event times are then computed from constraints on the times of its instants. The
+// interpreter replays the run with these times.
 #pragma once
 
 #include <atomic>
@@ -51,6 +52,7 @@ struct AnalyseOptions {
     ExecutionMode mode = ExecutionMode::StabilitySearch;
     std::vector<Exclusion> exclusions = {};
     bool instability_only = false;  ///< true if only total instability is decided
+
     /// If a counter remains in its range for at least this number of evolutions, its values are distinguished only up
     /// to its thresholds.
     std::int64_t longest_count = 256;
@@ -61,6 +63,7 @@ struct AnalyseOptions {
     /// Called for each finding as soon as the finding is known.
     std::function<void(const Finding&)> found = {};
     std::function<void(const AnalyseProgress&)> progress = {};  ///< called periodically
+
     /// Work on each part in the first round, in steps of decision diagram operations.
     std::uint64_t first_slice = 50'000'000;
 };

@@ -76,8 +76,8 @@ public:
     /// conclude().
     void find_traps();
     /// Reports events that are impossible even if inputs change before every evolution. Requires a search in which
-    /// inputs change before every evolution, and a chart that is executed with stability search. This search
-    /// over-approximates the chart, so that it only shows that events are impossible.
+    /// inputs change before every evolution, and a chart that is executed with stability search.
+    /// The search over-approximates the chart, so that it can only show that events are impossible.
     void conclude_loosely();
     /// Evaluates the queries on the last instant of a search in which inputs change before every evolution.
     void search_loosely();
@@ -90,7 +90,7 @@ private:
     using Step = Id<Chart::Step>;
     using Transition = Id<Chart::Transition>;
 
-    /// An event that is a finding if it occurs at some points.
+    /// An event whose occurrence at some point is a finding.
     struct Event {
         Query* question = nullptr;
         Bdd goal = {};

@@ -43,8 +43,9 @@ void ChartAnalyzer::instability() {
 // -- races, and values that are undefined or out of range -------------------------------------------------------------
 
 void ChartAnalyzer::expect_breaks() {
-    // Queries without a fault are decided at the end of the search: the queries about the stored variables of the cone
-    // and, if the cone contains the complete chart, the query about conditions.
+    // Queries for which no fault condition exists are also decided at the end of the search: the
+    // queries about the stored variables of the cone and, if the cone contains the complete chart,
+    // the query about conditions.
     for (const Equations::Stored& stored : equations_.stored)
         if (machine_.covers(stored.variable))
             for (const char* code : {"action-race", "out-of-range", "no-value"})

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Evaluates queries about events that are impossible after some points, based on absorbing regions ("traps"), which no
-// run leaves. All reachable points are known. Therefore, an event is impossible after a point if no path leads from
-// this point to the event. The graph of the points contains every run of the chart. The graph also contains spurious
-// runs, in which timers expire in an order that is impossible for some or all durations. Therefore, a finding is valid
-// for all durations of the timers. The analysis does not find regions that are absorbing only because of durations.
+// run leaves. The queries are evaluated when all reachable points are known. Therefore, an event is
+// impossible after a point if no path leads from this point to the event. The graph of the points
+// contains every run of the chart. The graph also contains spurious runs, in which timers expire in
+// an order that is impossible for some or all durations. Therefore, a finding is valid for all
+// durations of the timers. The analysis does not find regions that are absorbing only because of
+// durations.
 //
 // If a run aborts in an evolution, or if one of its instants never ends, an event might occur in the unknown
 // continuation of the run. Therefore, no finding is reported for points from which an aborting evolution or an endless
@@ -84,8 +86,8 @@ void ChartAnalyzer::find_traps() {
 }
 
 /// Records that the event of the query can recur. If the machine represents only a cone, the query remains open,
-/// because a cone may have runs that the chart does not have. In this case, the query is decided later on the complete
-/// chart, or by a proof that every run of the cone is a run of the chart.
+/// because a cone may have runs that the chart does not have. A query that remains open is decided
+/// later on the complete chart, or by a proof that every run of the cone is a run of the chart.
 void ChartAnalyzer::mark_live(Query& question) const {
     (machine_.whole() ? question.decided : question.seen_in_part) = true;
 }

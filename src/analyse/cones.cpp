@@ -18,8 +18,8 @@ using Numbers = std::vector<std::uint32_t>;
 /// The maximum total number of variables of all cones, as a multiple of the number of variables in the complete chart.
 /// If the total is larger, cones do not save work.
 constexpr std::size_t most_wholes = 8;
-/// The maximum number of variable visits for the computation of all cones together. If this maximum is exceeded, only
-/// the complete chart is analysed.
+/// The maximum number of variable visits for the computation of all cones together. If the maximum
+/// is exceeded, only the complete chart is analysed.
 constexpr std::size_t most_visits = 4'000'000;
 constexpr std::size_t most_cones = 1000;
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Counters: integer variables that a chart only increments, sets to constants and compares with constants. The chart
-// does not distinguish the values above the greatest of these constants; therefore the analysis represents all these
-// values by one value. With this abstraction, the number of states of a chart that counts workpieces without limit
-// depends only on its thresholds, not on the range of the counter. The abstraction does not represent the fault that a
-// counter leaves its range.
+// Counters: integer variables that a chart only increments, sets to constants and compares with
+// constants. The chart does not distinguish the values of a counter above the greatest constant of
+// the counter; therefore the analysis represents all these values by one value. With this
+// abstraction, the number of states of a chart that counts workpieces without limit depends only on
+// its thresholds, not on the range of the counter. The abstraction does not represent the fault
+// that a counter leaves its range.
 #pragma once
 
 #include <optional>

@@ -20,6 +20,7 @@ struct EvolutionRequirement {
     bool fault = false;             ///< true if a value must be undefined or out of range
     bool endless = false;           ///< true if the instant must never end
     bool settles = false;           ///< true if the instant must end without being aborted
+
     /// True if the trace contains the last instant up to its end, false if only up to the end of the path.
     bool ends = true;
 };

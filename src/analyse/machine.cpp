@@ -395,10 +395,11 @@ Bdd Machine::allowed_ends(const Bdd& points) const {
     return result;
 }
 
-/// Returns the points after some time has passed and inputs have been sampled. During this time, the variable that a
-/// clock watches is constant. The output of the clock becomes true only if the variable is true, and false only if the
-/// variable is false. If a clock has both a rise time and a fall time, its output may still be true because of an
-/// earlier rise. This output may become false before the current rise time has elapsed.
+/// Returns the points after some time has passed and inputs have been sampled. While time passes,
+/// the variable that a clock watches is constant. The output of the clock becomes true only if the
+/// variable is true, and false only if the variable is false. If a clock has both a rise time and a
+/// fall time, its output may still be true because of an earlier rise; the output may become false
+/// before the current rise time has elapsed.
 Bdd Machine::sampled(const Bdd& rest) const {
     Bdd result = rest;
     for (const Equations::Timer& clock : clocks_) {

@@ -42,7 +42,8 @@ public:
 
     // -- sets of points --
 
-    /// Returns the points after a first evolution that does not abort. The points contain the inputs of this evolution.
+    /// Returns the points after a first evolution that does not abort. The points contain the
+    /// inputs of the first evolution.
     const Bdd& started() const { return started_; }
     /// Returns the inputs with which the first evolution aborts.
     const Bdd& breaks_at_first() const { return breaks_at_first_; }
@@ -79,10 +80,10 @@ public:
     Bdd rest(const Bdd& points) const { return exists(points, inputs_); }
     /// Returns the points that can follow the assignments of `rest` after some time, with newly sampled inputs.
     Bdd sampled(const Bdd& rest) const;
-    /// Returns the assignments to kept variables that one of `points` can follow after some time, with newly sampled
-    /// inputs.
+    /// Returns the assignments to kept variables from which one of `points` is reached after some
+    /// time, with newly sampled inputs.
     Bdd before_time(const Bdd& points) const;
-    /// Returns the assignments of `rest` that the point `next` can follow after some time.
+    /// Returns the assignments of `rest` from which the point `next` is reached after some time.
     Bdd origins_in_time(const Bdd& rest, const Point& next) const;
 
     // -- conditions on points, over the variables before their evolution --

@@ -142,8 +142,8 @@ std::vector<std::uint32_t> integer_groups(const Equations& equations) {
         while (first[variable] != variable) variable = first[variable] = first[first[variable]];
         return variable;
     };
-    // For each integer term: one integer variable on which its value depends, or `none` if the value depends on no
-    // integer variable. For all other terms: `none`.
+    // For each term: one integer variable on which the value of an integer term depends; `none` if
+    // this value depends on no integer variable, or if the term is not an integer term.
     constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> made_of(equations.exprs.size(), none);
     for (std::uint32_t term = 0; term < equations.exprs.size(); ++term) {
@@ -183,8 +183,8 @@ std::vector<bool> variables_that_matter(const Equations& equations) {
     for (const Fault& fault : faults(equations))
         for (const Id<Expr> condition : {fault.condition, fault.first})
             if (condition.valid()) marks.mark(condition);
-    // Unless a stored value is a Boolean constant, it may be out of range or undefined. Therefore the terms of such
-    // writes are marked.
+    // A stored value that is not a constant may be out of range or undefined; therefore, its term
+    // is marked.
     for (const Equations::Stored& stored : equations.stored)
         for (const Equations::Write& write : stored.writes)
             if (!is_constant(equations.exprs[write.value].op)) marks.mark(write.value);

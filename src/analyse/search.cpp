@@ -59,8 +59,9 @@ Bdd PathSearch::first() const {
     return all;
 }
 
-/// Correctness: an evolution with constant inputs is a function. Since the number of points is finite, an infinite path
-/// within an instant reaches a cycle of points. All points of a cycle are reached in the same instant.
+/// Correctness: with constant inputs, the result of an evolution is a function of its point. Since
+/// the number of points is finite, an infinite path within an instant reaches a cycle of points.
+/// All points of a cycle are reached in the same instant.
 Bdd PathSearch::endless(const Bdd& within) const {
     if (mode_ == ExecutionMode::EveryCycle) return {};
     Bdd now = within;

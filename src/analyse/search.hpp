@@ -13,17 +13,17 @@
 
 namespace grafverif::analysis {
 
-/// All instants with the same number, over all runs. The points of these instants that no earlier instant contains are
-/// grouped into rings by the number of preceding evolutions. `rest` contains the new assignments to kept variables at
-/// the ends of the instants. In every_cycle mode, the first instant has no points, because it consists only of the
-/// first evolution.
+/// All instants with the same number, over all runs. The points that no earlier instant contains
+/// are grouped into rings by the number of preceding evolutions. `rest` contains the new
+/// assignments to kept variables at the ends of the instants. In every_cycle mode, the first
+/// instant has no points, because it consists only of the first evolution.
 struct Instant {
     std::size_t first = 0, end = 0;  ///< range [first, end) of the rings of this instant
     Bdd rest = {};
 };
 
-/// Returns a set with a small diagram that contains `fresh` and possibly some points of `known`. The result is used in
-/// operations whose result does not depend on known points.
+/// Returns a set with a small diagram that contains `fresh` and possibly some points of `known`.
+/// The set is used only in operations whose result does not depend on known points.
 Bdd widened(const Bdd& fresh, const Bdd& known);
 
 /// A run of the machine that ends at a point.

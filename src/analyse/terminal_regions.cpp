@@ -70,9 +70,10 @@ std::vector<Bdd> TerminalRegions::rings_from(const Bdd& points) const {
     return rings;
 }
 
-/// Most charts return to their initial situation, so that they have a single terminal region. Assume that each rest
-/// (assignment to kept variables) of the first instant leads to every other rest of this instant, and that all points
-/// lead to one of these rests. Then all points after this instant form one region, and no forward search is necessary.
+/// Most charts return to their initial situation, so that they have a single terminal region.
+/// Assume that each rest (assignment to kept variables) of the first instant leads to every other
+/// rest of this instant, and that all points lead to one of these rests. Under this assumption, all
+/// points after the first instant form one region, and no forward search is necessary.
 std::optional<Bdd> TerminalRegions::single_region(const Bdd& among) const {
     Bdd starts = first_ & ends_;
     if (mode_ == ExecutionMode::EveryCycle || starts.is_false()) return {};

@@ -66,7 +66,7 @@ std::optional<Model> read_model(Id<Source> file, const std::string& path, Comman
         job.diagnostics.add(messages::cannot_read(folder, "the folder does not exist"));
         return {};
     }
-    const Reach reach(path == "-" ? "./-" : path,  // standard input has the permissions of a file in the current folder
+    const Reach reach(path == "-" ? "./-" : path,  // standard input counts as a file in the current folder
                       job.options.include_folders, PermittedFolders(job.options.within));
     const auto load = [&](const std::string& included, std::string& why) -> std::optional<std::string> {
         if (job.watch != nullptr) job.watch->note(included);

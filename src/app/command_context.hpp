@@ -47,6 +47,7 @@ struct CommandContext {
     std::vector<Product> products = {};  ///< outputs of a command that writes the results of all input files as one set
     bool depfile_written = false;
     FileWatcher* watch = nullptr;  ///< records every file before it is read
+
     /// Report files of the invocation, which cover all its input files; never null during the execution of a command.
     Reports* reports = nullptr;
 };

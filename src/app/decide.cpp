@@ -69,7 +69,7 @@ std::optional<Report> engine_report(const SystemToCheck& system, CommandContext&
     return check(system, options);
 }
 
-/// The same, with the requested certificate.
+/// Decides the properties of a transition system, and creates the certificate if it is requested.
 std::optional<Report> system_report(const SystemToCheck& system, CommandContext& job, const CheckOptions& options,
                                     std::optional<Certificate>& certificate) {
     if (job.options.certificate) certificate.emplace();

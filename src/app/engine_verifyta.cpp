@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `check --engine verifyta`: writes the UPPAAL project to a temporary folder and runs verifyta on it once per query.
 // The implementation relies only on documented behaviour of verifyta. The licence of verifyta forbids its use in
-// automated tests; therefore the tests use a replacement.
+// automated tests; therefore the tests use a replacement program.
 #include "app/engines.hpp"
 #include "app/system/process.hpp"
 #include "check/external/verifyta.hpp"

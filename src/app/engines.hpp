@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// External engines, which are searched for on the PATH. If the program is not found, a function adds an error and
-// returns an empty result.
+// External engines, which are searched for on the PATH. If a program is not found, the function
+// that runs this program adds an error and returns an empty result.
 #pragma once
 
 #include <atomic>

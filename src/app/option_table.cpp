@@ -397,8 +397,8 @@ std::vector<Option> options_for_checks() {
         time(OptionGroup::Recording, "jitter", &Options::jitter_ms,
              "maximum difference between a recorded time and the time in the controller (default: 20ms)"),
         list(OptionGroup::Recording, "skew", "COLUMN[,COLUMN...]=TIME", &Options::skews,
-             "the clock of these columns differs from the others by an unknown constant offset of at most TIME; "
-             "repeatable"),
+             "the clock of these columns differs from the clock of the other columns by an unknown "
+             "constant offset of at most TIME; repeatable"),
         list(OptionGroup::Recording, "map", "COLUMN=NAME", &Options::renamings,
              "the column COLUMN of the log contains the input or output NAME; repeatable"),
         number(OptionGroup::Mutants, "limit", "N", {}, &Options::limit, "check at most N mutants (default: all)"),

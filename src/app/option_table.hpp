@@ -10,12 +10,13 @@
 
 namespace grafverif::app {
 
-/// An option. A command accepts it if the command accepts the group of the option.
+/// An option. A command accepts an option if the command accepts the group of the option.
 struct Option {
     OptionGroup accepts = OptionGroup::Always;
     std::string name = {};   ///< long name and, if any, short name: `output,o`
     std::string value = {};  ///< placeholder of its value in the help; empty for a switch, which has no value
     std::string help = {};   ///< help text; if empty, the help does not show the option
+
     /// Stores the given values in the options. For a switch, stores that the switch was given. Returns an error message
     /// or an empty string.
     std::function<std::string(const std::vector<std::string>&, Options&)> take = {};

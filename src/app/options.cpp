@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Parses the command line of a command, as defined by its rows of the option table. Then validates combinations of
-// options.
+// Parses the command line of a command, as defined by its rows of the option table, and validates
+// combinations of options.
 #include "app/options.hpp"
 
 #include <fmt/format.h>
@@ -87,8 +87,9 @@ std::string validate_engine(bool modelled, const po::variables_map& values, Opti
     return {};
 }
 
-/// Returns an error message if an option that runs a command is given as `--OPTION=COMMAND`. A shell pattern can expand
-/// to a file with such a name, and the name of a file must not run a command.
+/// Returns an error message if an option that runs a command is given as `--OPTION=COMMAND`. A
+/// shell pattern can expand to a file with the name `--OPTION=COMMAND`, and the name of a file must
+/// not run a command.
 std::string adjacent_command(const std::vector<po::option>& given, const std::vector<Option>& known) {
     for (const po::option& one : given)
         for (const Option& option : known)

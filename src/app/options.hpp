@@ -27,8 +27,8 @@ namespace grafverif::app {
 enum class Format { Text, Json, JsonLines, Latex, Xml, Sarif, Dot, Svg, Csv };
 enum class DiagnosticFormat { Text, Json };
 enum class ColourChoice { Auto, Always, Never };
-/// Cycle time of controllers with a task cycle. Both: the task cycle, with a note on each verdict that differs if the
-/// cycle time is zero.
+/// Cycle time of controllers with a task cycle. `Both` selects the task cycle, and adds a note to
+/// each verdict that differs if the cycle time is zero.
 enum class CycleTime { Task, Zero, Both };
 enum class Target { Both, Uppaal, Nusmv };
 enum class Engine {
@@ -44,6 +44,7 @@ enum class Engine {
     Nusmv,
     Nuxmv
 };  ///< Embedded and Auto select Timed for timed models, and check_together for untimed models
+
 /// Elements to which `supervise` adds conditions.
 enum class Held { Both, Transitions, Outputs };
 /// Program that reads a depfile.
@@ -64,8 +65,8 @@ struct FaultsOptions {
 
 /// Options of `st`.
 struct StOptions {
-    /// Maximum number of evolutions in one cycle under stability search; less than 2^32. If this member is empty, the
-    /// maximum is 1000 or, with `prove`, the first number tried that is sufficient.
+    /// Maximum number of evolutions in one cycle under stability search; less than 2^32. Empty
+    /// selects 1000 or, with `prove`, the first number tried that is sufficient.
     std::optional<std::uint64_t> max_evolutions = {};
     structured_text::Dialect dialect = structured_text::Dialect::Iec;
     bool prove = false;  ///< prove that the program is equivalent to the chart before it is written
@@ -85,7 +86,7 @@ struct Options {
     bool all_modes = false;                           ///< true: compare in each execution mode
     std::optional<std::string> from_situation = {};   ///< initial steps for `compare`, separated by commas
     std::optional<std::uint64_t> resolution_ms = {};  ///< `--resolution` of `compare` and `st`
-    bool settled = false;                             ///< `compare`: compare outputs after programs have settled
+    bool settled = false;                             ///< `compare`: compare outputs after repeated scans
     bool imported_charts = false;                     ///< true: use the charts that `import` creates from programs
     std::vector<std::string> renamings = {},
                              ignored_outputs = {};  ///< `--map` of `compare` and `replay`; `--ignore` of `compare`
@@ -93,7 +94,7 @@ struct Options {
     std::optional<ExecutionMode> mode = {};
     std::optional<Grain> grain = {};
     CycleTime cycle = CycleTime::Task;
-    ScheduleOptions untimed = {};             ///< options of untimed models; its member `mode` is not used
+    ScheduleOptions untimed = {};             ///< options of untimed models; the member `mode` is not used
     std::optional<PlantApproach> plant = {};  ///< value of `--plant`, the plant of untimed models
     Target target = Target::Both;
     std::optional<bool> binary = {};  ///< option of `aiger`; if empty, the name of the output determines the form
@@ -123,6 +124,7 @@ struct Options {
     std::vector<std::string> properties = {};       ///< option of `check`: names of properties; all if empty
     std::optional<std::string> property_file = {};  ///< for `check` of PLC programs: YAML file of the properties
     std::string marked = {};                        ///< condition that `supervise` keeps reachable
+
     /// Option of `supervise`: the elements to which conditions are added.
     Held held = Held::Both;
     Engine engine = Engine::Embedded;
@@ -140,6 +142,7 @@ struct Options {
     std::optional<std::string> junit = {}, sarif = {};
     bool list = false;                                           ///< true: `check` only lists the properties
     std::optional<std::string> state_file = {}, survivors = {};  ///< output of `mutate`: results, undetected mutants
+
     /// Options of `mutate`: maximum number of mutants; time limit for each mutant in milliseconds.
     std::optional<std::uint64_t> limit = {}, mutant_timeout_ms = {};
     std::uint64_t seed = 1;  ///< seed of `mutate` for the selection of mutants
@@ -148,7 +151,8 @@ struct Options {
     std::optional<std::string> certificate = {};  ///< folder in which `check` writes a certificate
     EventRange events = {};                       ///< range of events that the timing diagram shows
     std::string against = {};                     ///< option of `test`: the command that runs the controller under test
-    /// File with the table of a test. If this member is empty, `test` generates the test from the chart.
+
+    /// File with the table of a test; if empty, `test` generates the test from the chart.
     std::optional<std::string> sequence = {};
     /// Time limit in milliseconds: for one response (`test`), one check (`serve`, `edit` and `lsp`) or one call
     /// (`mcp`).

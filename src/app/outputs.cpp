@@ -131,7 +131,7 @@ bool folders_are_there(bool folder, CommandContext& job) {
     for (const auto& [option, path, use] : named_paths(job.options)) {
         if (use == PathUse::Read) continue;
         std::filesystem::path file(path);
-        // The path ends in a slash: `DIR/`.
+        // Handles a path that ends in a slash: `DIR/`.
         if (use == PathUse::WrittenFolder && !file.has_filename()) file = file.parent_path();
         const bool is_folder = folder && option == "output";
         const std::filesystem::path needed = is_folder ? file : file.parent_path();

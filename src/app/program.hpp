@@ -34,7 +34,9 @@ struct Streams {
     bool alone = false;
     Screen out_screen = {}, err_screen = {};
     bool typed = false;  ///< true if `in` is a terminal, and `out` is a terminal that can overwrite a line
-    /// Stream for outputs with the name `-`; null selects `out`. `documents_screen` has the properties of its terminal.
+
+    /// Stream for outputs with the name `-`; null selects `out`. `documents_screen` has the
+    /// properties of the terminal of this stream.
     std::ostream* documents = nullptr;
     Screen documents_screen = {};
 };

@@ -35,6 +35,7 @@ struct BddLimits {
     std::uint64_t memory = std::uint64_t{2} << 30U;  ///< memory limit for nodes, tables and cache, in bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;  ///< cancellation flag, which another thread may set
+
     /// Maximum number of operation steps; unlike a deadline, this limit does not depend on the speed of the processor.
     std::uint64_t work = std::numeric_limits<std::uint64_t>::max();
     /// Counter to which the number of operation steps is periodically added.
@@ -124,6 +125,7 @@ public:
 
     std::uint64_t nodes() const;  ///< returns the number of nodes in use, including garbage
     std::uint64_t bytes() const;  ///< returns the memory allocated for nodes, tables and cache, in bytes
+
     /// Returns the number of operation steps so far: a measure of work that does not depend on the speed of the
     /// processor.
     std::uint64_t work() const;

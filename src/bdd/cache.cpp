@@ -22,7 +22,7 @@ bool Cache::grow(InterruptPoll& watch) {
             clear(watch);
             return true;
         }
-        // From the last entry to the first, because entry i moves to slot 2i or 2i + 1.
+        // Entries are moved from last to first, because entry i moves to slot 2i or 2i + 1.
         for (std::size_t i = before; i-- > 0;) {
             watch.step();
             const Entry moved = entries_[i];

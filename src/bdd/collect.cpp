@@ -58,7 +58,8 @@ void relink(Kernel& kernel) {
     }
     table.free = 0;
     std::uint32_t in_use = 1;  // the constant is always in use
-    // Descending, so that free nodes with small indices are reused first.
+
+    // The loop is descending, so that free nodes with small indices are reused first.
     for (std::uint32_t n = table.used; n-- > 1;) {
         kernel.watch.step();
         Node& node = table.nodes[n];

@@ -38,7 +38,7 @@ public:
         const std::vector<std::uint32_t> nodes = bdd::nodes_of(kernel_, root);
         counts_.reserve(nodes.size());
         for (const std::uint32_t n : nodes) {
-            ++counts_[n].parents;  // the additional 1 in Count::parents
+            ++counts_[n].parents;  // the 1 that Count::parents adds to the number of edges
             meet(kernel_.table.nodes[n].low);
             meet(kernel_.table.nodes[n].high);
         }

@@ -14,9 +14,9 @@
 //   Call low(Kernel&, Frame), high(Kernel&, Frame)
 //   bool enough(Kernel&, Frame, Edge& low)      true if the low branch determines the result, which it stores in `low`
 //   Edge join(Kernel&, Frame, Edge high)        combines the results of both branches; the frame is still on the stack
-// `terminal_case` and `join` may run other operations on edges that frames contain. `terminal_case` and `join` must
-// pass each result of such an operation directly to the next operation, because no frame protects this result from a
-// garbage collection.
+// `terminal_case` and `join` may run other operations on edges that frames contain. `terminal_case`
+// and `join` must pass each result of another operation directly to the next operation, because no
+// frame protects this result from a garbage collection.
 #pragma once
 
 #include "bdd/kernel.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Allocates nodes. A small table that is full is doubled, because a garbage collection would only delay the growth. In
 // a larger table, garbage is collected first, and the table is doubled if fewer than half of its nodes are free. If the
-// table cannot grow and the collection frees less than a sixteenth of the nodes, the operation fails with an error.
-// Without this rule, the operation would repeat collections with little progress.
+// table cannot grow and the collection frees less than a sixteenth of the nodes, the operation
+// fails with an error; otherwise, it would repeat collections with little progress.
 #include "bdd/kernel.hpp"
 
 #include <algorithm>

@@ -88,6 +88,7 @@ struct Kernel {
     /// Last number that was assigned to a renaming; the number identifies the renaming in the cache.
     std::uint32_t numbers = 0;
     std::uint64_t handles = 0;  ///< number of all handles of the space, the sum of NodeTable::refs
+
     /// Number of nodes above which operations reorder; 0 disables automatic reordering.
     std::uint64_t reorder_above = 0;
 };

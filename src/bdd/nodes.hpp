@@ -13,7 +13,7 @@
 //
 // `refs` counts the handles of each node; edges from other nodes are not counted. Nodes that are reachable neither from
 // handles nor from frames of a running operation are garbage. Garbage nodes stay in the table until memory is needed.
-// Until memory is needed, an operation that needs the same triple uses the garbage node again.
+// An operation that needs the triple of a garbage node uses this node again.
 //
 // A garbage collection and other changes of the table set the flag `stale`, which is true until the hash chains are
 // rebuilt. If the rebuild is interrupted, `stale` stays true, and the next operation first completes the rebuild.
@@ -112,6 +112,7 @@ public:
     std::uint32_t capacity = 0;    ///< number of usable nodes; the blocks may be larger
     std::uint32_t used = 0;        ///< index of the first node that was never used
     std::uint32_t in_use = 0;      ///< number of nodes in use, including garbage
+
     /// First node of the list of unused nodes with an index below `used`; 0 if the list is empty.
     std::uint32_t free = 0;
     bool stale = false;     ///< true if the chains and the free list must be rebuilt

@@ -19,8 +19,8 @@ namespace grafverif::bdd {
 
 namespace {
 
-/// Maximum number of nodes in two levels that are exchanged. This maximum limits the time of an exchange, which cannot
-/// be interrupted.
+/// Maximum number of nodes in two levels that are exchanged; limits the time of an exchange, which
+/// cannot be interrupted.
 constexpr std::size_t longest_exchange = 1U << 18U;
 
 struct NoMemory {};
@@ -189,8 +189,8 @@ private:
         ++order.version;
     }
 
-    /// Rewrites a node of the upper variable that also depends on the lower variable. Afterwards, the node belongs to
-    /// the lower variable, and its function is unchanged.
+    /// Rewrites a node of the upper variable that also depends on the lower variable. The rewritten
+    /// node belongs to the lower variable and has the same function.
     void rewrite(std::uint32_t n, std::uint32_t level, std::vector<std::uint32_t>& lower, std::size_t) {
         const Edge low = table_.nodes[n].low, high = table_.nodes[n].high;
         const Edge first = made(level + 1, kernel_.low(low, level + 1), kernel_.low(high, level + 1), lower);

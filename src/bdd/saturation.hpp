@@ -3,9 +3,9 @@
 // transition relation. The algorithm is efficient if each cluster of the relation reads and writes only few variables.
 // A set is closed if no step leaves it. A diagram is closed bottom-up. First, each subdiagram is closed under the steps
 // that concern only variables below the top variable of the diagram. Then, the complete diagram is closed under the
-// steps whose topmost variable is the top variable of the diagram. These two operations are repeated until the diagram
-// no longer changes. Results for subdiagrams are cached and reused. The algorithm does not compute the layers of a
-// breadth-first search.
+// steps whose topmost variable is the top variable of the diagram. The closures of the subdiagrams
+// and of the diagram are repeated until the diagram no longer changes. Results for subdiagrams are
+// cached and reused. The algorithm does not compute the layers of a breadth-first search.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +39,7 @@ public:
 
 private:
     struct Level {
-        std::uint32_t level = 0;  ///< level of the topmost variable of its clusters
+        std::uint32_t level = 0;  ///< level of the topmost variable of the clusters
         std::vector<const ClusterSteps*> kinds = {};
     };
     struct CacheKey {

@@ -19,8 +19,8 @@ inline BddTerm bdd_boolean(const Bdd& value) { return boolean_term(value); }
 inline BddTerm bdd_integer(std::int64_t value) { return integer_term<Bdd>(value); }
 
 /// Represents a value of `type` by variables of a space. The bits encode the offset of the value from type.low, as an
-/// unsigned number with the least significant bit first. There are as many bits as the range requires (no bits for a
-/// range with a single value). A Boolean has one bit.
+/// unsigned number with the least significant bit first. The word has as many bits as the range
+/// requires (no bits for a range with a single value). A Boolean has one bit.
 struct BddWord {
     Type type = {};
     std::vector<std::uint32_t> bits = {};

@@ -18,10 +18,11 @@
 
 namespace certify {
 
-/// True if `states` states of the size of `one` would need too much memory. The overhead of a state is 16 values.
+/// True if `states` states of the size of `one` would need too much memory. The overhead of a state
+/// is counted as 16 values.
 bool are_too_many(Index states, const State& one) { return states * (one.size() + 16) > 200'000'000; }
 
-/// Reads a state: all its values; `*` for an unknown value.
+/// Reads the values of a state in the order of `Network::ranges`; `*` is an unknown value.
 State read_state(Words& words, const Network& network) {
     State state;
     for (const auto& [low, high] : network.ranges) state.push_back(words.skip("*") ? unknown : words.number(low, high));
@@ -99,7 +100,7 @@ private:
 
     const std::string file_;
     Semantics semantics_;
-    std::vector<std::vector<Index>> targets_ = {};  // by edges, then by a delay if `waits_`
+    std::vector<std::vector<Index>> targets_ = {};  // targets of edges, then of a delay if `waits_`
     std::vector<bool> waits_ = {};
 };
 
@@ -170,7 +171,7 @@ std::string check(const std::filesystem::path& folder, const std::string& prefix
     for (const Property& property : network.properties) open.insert(property.name);
     std::string result;
     std::optional<Graph> graph;
-    std::map<std::string, Index> errors;  // by model error: number of sets of states that do not exclude it
+    std::map<std::string, Index> errors;  // for each model error: number of sets that allow it
     std::set<Index> reacting, covered;    // processes; `covered`: those of the subsystems
     Index states = 0, graphs = 0;
     const auto subfolder = [&] {

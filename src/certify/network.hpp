@@ -41,7 +41,8 @@ inline std::string content_of(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-/// Returns FNV-1a, 64 bits, as a number. It detects damage and mixed-up files, not deliberate changes.
+/// Returns FNV-1a, 64 bits, as a number. The hash detects damage and mixed-up files, not deliberate
+/// changes.
 inline std::string checksum(std::string_view text) {
     std::uint64_t hash = 0xcbf29ce484222325;
     for (const char byte : text) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
@@ -118,24 +119,24 @@ struct Term {
     Op op = Op::Constant;
     Int value = 0;               // Constant: the value
     Int low = 0, high = 1;       // bounds of the value; `low` is `unknown` if the term may have no value
-    Index place = 0, depth = 1;  // Value: index in State
+    Index place = 0, depth = 1;  // `place`: for Value, index in State
     std::vector<Index> operands = {};
 };
-using Constraint = std::tuple<Index, Op, Int>;  // clock (index in State), relation, bound
+using Constraint = std::tuple<Index, Op, Int>;  // clock (index in State), relation and bound
 struct Edge {
     Index from = 0, to = 0, guard = 0;
     bool urgent = false;
     std::vector<Constraint> constraint = {};
     std::set<Index> resets = {};
-    std::vector<std::pair<Index, Index>> assignments = {};  // index in State, term
+    std::vector<std::pair<Index, Index>> assignments = {};  // target (index in State) and term
 };
-using Constraints = std::vector<std::vector<Constraint>>;  // by location
-using Caps = std::vector<std::map<Index, Int>>;            // by location and clock (index in State)
+using Constraints = std::vector<std::vector<Constraint>>;  // constraints by location
+using Caps = std::vector<std::map<Index, Int>>;            // caps by location and clock (State index)
 struct Process {
     std::string name = {};
     Index place = 0;  // index in State
     Constraints invariants = {};
-    Caps caps = {};  // this value also represents all greater values
+    Caps caps = {};  // a cap also represents all greater values
     std::vector<Edge> edges = {};
 };
 struct Property {
@@ -223,7 +224,7 @@ private:
         properties.push_back(std::move(one));
     }
 
-    /// Gives a name a meaning. A second declaration would be ambiguous.
+    /// Declares a name. A second declaration of the same name and kind is an error.
     void declare(const std::string& kind, const std::string& name, Index index) {
         if (!declared_.emplace(kind + name, index).second) words_.fail("`" + kind + name + "` is declared twice");
     }

@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: MIT
 // The semantics of a network in integer time: values of terms, edges, and delays.
 //
-// A state of a *fragment* does not contain the values of some variables, locations and clocks: they are `unknown`. It
-// represents all states of the network that agree with it on the other values. A move of the fragment is a move of the
-// network from one of these states: each unknown value that the move reads may be any value of its range, and each
-// constraint on an unknown clock may hold. Therefore each edge of the network, of any process, is an edge of the
-// fragment or leaves its state unchanged. Time stops in the fragment only for urgent edges that the network has in all
-// states that the state represents; a certificate can only select the processes whose urgent edges are considered.
+// A state of a *fragment* does not contain the values of some variables, locations and clocks: they
+// are `unknown`. The state of a fragment represents all states of the network that have the same
+// known values. A move of the fragment is a move of the network from one of the represented states:
+// each unknown value that the move reads may be any value of its range, and each constraint on an
+// unknown clock may hold. Therefore each edge of the network, of any process, is an edge of the
+// fragment or leaves its state unchanged. Time stops in the fragment only for urgent edges that the
+// network has in all states that the state represents; a certificate can only select the processes
+// whose urgent edges are considered.
 //
-// A *subsystem* is a fragment without moves of processes whose locations are unknown. It must neither read an unknown
-// value nor contain a variable that such a process writes.
+// A *subsystem* is a fragment without moves of processes whose locations are unknown. A subsystem
+// must neither read an unknown value nor contain a variable that a process with an unknown location
+// writes.
 #pragma once
 
 #include "network.hpp"
 
 namespace certify {
 
-/// The successors of a state. If time can pass (`waits`), the last one is the state after one unit of time.
+/// The successors of a state. If time can pass (`waits`), the last successor is the state after one
+/// unit of time.
 struct Moves {
     std::vector<State> next = {};
     bool waits = false;
@@ -24,8 +28,9 @@ struct Moves {
 };
 
 struct Semantics {
-    /// `mask` is a state of the fragment, or a complete state. The urgent edges of `reacting`, processes without known
-    /// location, also stop time; other processes without known location never stop time.
+    /// `mask` is a state of the fragment, or a complete state. The urgent edges of the processes in
+    /// `reacting`, whose locations are unknown, also stop time; other processes with unknown
+    /// locations never stop time.
     Semantics(const Network& of, const State& mask, const std::set<Index>& reacting = {}, bool is_subsystem = false)
         : network(of), fragment(std::ranges::count(mask, unknown) != 0), subsystem(is_subsystem) {
         const auto is_known = [&](Index place) { return mask[place] != unknown; };
@@ -98,7 +103,7 @@ struct Semantics {
     }
 
 private:
-    using Move = std::pair<Index, const Edge*>;  // the process, and its edge
+    using Move = std::pair<Index, const Edge*>;  // a process, and an edge of the process
 
     /// True if all values of the term are in the range of the variable.
     bool fits(Index target, Index term) const {
@@ -146,7 +151,8 @@ private:
         }
     }
 
-    /// Calls `run` for each combination of the unknown values that it reads, until it returns true.
+    /// Calls `run` for each combination of the unknown values that `run` reads, until `run` returns
+    /// true.
     template <class Run>
     bool any_choice(const Run& run) {
         choices_.clear();
@@ -165,7 +171,7 @@ private:
     /// assignment makes it unknown again.
     Int read(Index place, const State& state) {
         if (state[place] != unknown) return state[place];
-        if (subsystem) reject("a subsystem reads a value of another one");
+        if (subsystem) reject("a subsystem reads a value of another subsystem");
         if (free_[place] != unknown) return free_[place];
         if (next_choice_ == choices_.size()) choices_.emplace_back(place, network.ranges[place].first);
         return free_[place] = choices_[next_choice_++].second;
@@ -173,7 +179,7 @@ private:
     bool satisfied(const std::vector<Constraint>& list, const State& state, bool if_unknown) const {
         return std::ranges::all_of(list, [&](const Constraint& one) {
             const auto& [clock, relation, bound] = one;
-            if (subsystem && state[clock] == unknown) reject("a subsystem reads a value of another one");
+            if (subsystem && state[clock] == unknown) reject("a subsystem reads a value of another subsystem");
             return state[clock] == unknown ? if_unknown : combined(relation, state[clock], bound) != 0;
         });
     }

@@ -74,7 +74,7 @@ private:
     }
 
     /// Returns the name of the first variable whose value in the state `to` differs from the value of its term `term`
-    /// in `values`. The result is empty if there is no such variable.
+    /// in `values`. The result is empty if no value differs.
     std::string differs(const Values& values, std::optional<Id<Expr>> FlatSystem::Variable::*term,
                         std::size_t to) const {
         for (const Id<FlatSystem::Variable> id : flat_.variables.ids()) {

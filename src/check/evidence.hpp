@@ -17,6 +17,7 @@ namespace grafverif {
 /// are the values in the step that leaves the state.
 struct ExternalTrace {
     std::vector<std::vector<std::int64_t>> states = {};  ///< states in the order of the run; never empty
+
     /// Index of the state to which the step from the last state leads back; empty for a finite run.
     std::optional<std::size_t> loop = {};
 };

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Defines the beginning of a note. The note lists the transitions that are never cleared again after the end of a
-// trace.
+// Defines the beginning of the note that lists the transitions that are never cleared after the end of a trace.
 #pragma once
 
 namespace grafverif {

@@ -293,6 +293,7 @@ private:
     std::vector<std::atomic<bool>>
         decided_elsewhere_;  ///< for each property of the system: true if its verdict is no longer needed
     bool threaded_ = false;  ///< true if the engines run in threads; changes only while no engine thread is running
+
     /// Memory limit of the last run of the symbolic engine; read only when this run has ended.
     std::uint64_t most_memory_ = 0;
     bool has_tried_first_ = false;

@@ -4,7 +4,7 @@
 // time limit, a second thread starts. The second thread first tries inexpensive proofs (PortfolioOptions::first), and
 // then alternates PDR and BMC. The first engine that decides a property provides its verdict, and a note names the
 // engine. When all properties are decided, all engines stop. Results are validated as in a run with a single engine, so
-// verdicts do not depend on which engine finishes first. However, counterexamples may depend on it.
+// verdicts do not depend on which engine finishes first. However, counterexamples may differ.
 //
 // If `jobs` is 1 or no thread can be started, the engines run sequentially: first each engine for a bounded time, and
 // then each engine up to the deadline.
@@ -37,10 +37,12 @@ struct PortfolioOptions {
                                                                   ///< `reachable` property that holds
     bool whole = false;          ///< if true, the symbolic engine does not decompose the system into subsystems
     bool equal_latches = false;  ///< see PdrOptions::equal_latches
+
     /// Number of steps of decision-diagram operations after which PDR and BMC start. PDR and BMC start no later than
     /// after a quarter of the time limit. If `alone` is 0, PDR and BMC start immediately.
     std::uint64_t alone = 0;
-    unsigned jobs = 0;  ///< number of threads; if 1, the calling thread runs all engines
+    /// Number of threads; if 1, the calling thread runs all engines.
+    unsigned jobs = 0;
     /// Function that tries inexpensive proofs, such as localization, before PDR and BMC start. The function returns a
     /// verdict without a run for each property that it decides, and ends early when `stop` becomes true. May be null.
     std::function<std::vector<Verdict>(const std::atomic<bool>* stop)> first = {};

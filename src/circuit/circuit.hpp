@@ -78,6 +78,7 @@ struct Circuit {
     std::vector<Word> symbols = {};  ///< value of each symbol of the system's main module
     Literal broken = Gates::no;      ///< the latch `broken`; the constant `no` if the circuit has no such latch
     Literal possible = Gates::yes;   ///< true if the current state satisfies the system's invariants
+
     /// True if the current state is possible and quiescent. Valid only if the system has the term `settled`.
     Literal settled = Gates::no;
     Literal in_range = Gates::yes;  ///< true if every variable has a value of its type

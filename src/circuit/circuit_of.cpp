@@ -63,7 +63,7 @@ private:
         circuit().inputs.push_back({node_of(literal), std::move(name)});
         return {&circuit().gates, literal};
     }
-    /// Adds a latch. The caller sets its next value later.
+    /// Adds a latch. The caller later sets the next value of the latch.
     Gate add_latch(std::string name) {
         const Literal literal = circuit().gates.source();
         circuit().latches.push_back({node_of(literal), Gates::no, std::move(name)});

@@ -2,19 +2,19 @@
 // mutants: creates mutants of a chart of a file. Each mutant has one plausible mistake. A mutant is the text of the
 // complete file in canonical form, and can be read like any other file.
 //
-//   term-dropped        one operand of an `and` or `or` is missing
-//   term-negated        one operand, or a complete condition, is negated; from a negation, the `not` is removed
-//   and-or              `and` replaces `or`, or vice versa
-//   and-divergence      the branches of a parallel divergence become alternatives
-//   or-divergence       two alternatives of one step become parallel branches, with the condition of the first
-//                       alternative
-//   wrong-successor     a transition leads to another step of its partial chart
-//   duration            a duration is twice as long
-//   action-missing      an action is missing
-//   output-swapped      a continuous action sets another output
-//   stored-side         a stored action is executed on deactivation instead of activation, or vice versa
-//   forcing-missing     a forcing order is missing
-//   not-initial         one of several initial steps is no longer initial
+//   `term-dropped`:    One operand of an `and` or `or` is missing.
+//   `term-negated`:    One operand, or a complete condition, is negated; from a negation, the `not` is removed.
+//   `and-or`:          The operator `and` replaces `or`, or vice versa.
+//   `and-divergence`:  The branches of a parallel divergence become alternatives.
+//   `or-divergence`:   Two alternatives of one step become parallel branches, with the condition of the first
+//                      alternative.
+//   `wrong-successor`: A transition leads to another step of its partial chart.
+//   `duration`:        A duration is twice as long.
+//   `action-missing`:  An action is missing.
+//   `output-swapped`:  A continuous action sets another output.
+//   `stored-side`:     A stored action is executed on deactivation instead of activation, or vice versa.
+//   `forcing-missing`: A forcing order is missing.
+//   `not-initial`:     One of several initial steps is no longer initial.
 #pragma once
 
 #include <string_view>

@@ -4,10 +4,10 @@
 //
 // Each controller has the generic PLC cycle of CEP13 Fig. 33a (`plc_cycle`), one timer per time condition (Fig. 33b,
 // corrected: see timers.cpp), and the flags that couple it with the plant:
-//   EVOL_PL   an edge of the plant, environment or another controller    set by this edge, reset when a cycle starts
-//             has assigned an input
-//   EVOL_TI   the output of a timer has changed set by the timers, reset with EVOL_PL
-//   stable    one more cycle with the same inputs would change nothing    false at power-on
+//   `EVOL_PL`: An edge of the plant, the environment or another controller has assigned an input. This edge sets the
+//              flag, and the start of a cycle resets it.
+//   `EVOL_TI`: The output of a timer has changed. The timers set the flag, and the start of a cycle resets it.
+//   `stable`:  One more cycle with the same inputs would change nothing. The flag is false at power-on.
 //
 //   grain phased                                        grain atomic
 //     W  -> P0 [(!stable || EVOL_PL || EVOL_TI)           W -> W [the same] flags reset, fire(), evolve(), write()
@@ -49,12 +49,13 @@ namespace grafverif {
 /// The corrections of the published method. Each correction can be disabled to show the failure that it prevents. Only
 /// tests and the documentation of the method disable corrections.
 struct Ablations {
-    bool cycle_always = false;         ///< guard of W -> P0 reads neither flags nor `stable`: CEP13 Fig. 17
-    bool cycle_unless_stable = false;  ///< guard of W -> P0 does not read `stable`; mode every_cycle: CEP13 Fig. 24
+    bool cycle_always = false;         ///< as in CEP13 Fig. 17: guard of W -> P0 without flags and `stable`
+    bool cycle_unless_stable = false;  ///< as in CEP13 Fig. 24: guard of W -> P0 without `stable`, mode every_cycle
+
     /// If true, timers are as published in CEP13 Fig. 33b: a timer does not detect that a step is deactivated and
     /// activated again within one instant.
     bool timers_as_published = false;
-    bool sensors_not_urgent = false;  ///< edges that assign an input of a controller are not urgent: CEP13 Fig. 12b
+    bool sensors_not_urgent = false;  ///< as in CEP13 Fig. 12b: edges that assign inputs of controllers are not urgent
 
     bool operator==(const Ablations&) const = default;
 };

@@ -19,7 +19,8 @@ struct ControllerParts {
     std::string name = {};
     std::string prefix = {};  ///< prefix of the controller's names; empty if there is only one controller
     ExecutionMode mode = ExecutionMode::StabilitySearch;
-    std::optional<TaskCycle> cycle = {};  ///< task cycle; if empty, the cycle time is zero
+    /// Task cycle; if empty, the cycle time is zero.
+    std::optional<TaskCycle> cycle = {};
     /// True if the template of the PLC cycle has an edge from the location `init`, which executes the first evolution.
     bool starts = false;
     Span origin = {};
@@ -55,7 +56,8 @@ struct Composition {
     std::vector<ControllerParts> controllers = {};
     /// For each variable of the plant: the controllers without a task cycle that have this variable as an input.
     std::vector<std::vector<std::uint32_t>> readers = {};
-    Id<Network::Variable> race = {};  ///< flag of a race; valid only if a race of stored actions is possible
+    /// Flag of a race; valid only if a race of stored actions is possible.
+    Id<Network::Variable> race = {};
     /// Templates of timers by type. The type consists of the delays that the timer has, and of the members `flags` and
     /// `waits` of its coupling (timers.cpp). A template is added with the first timer of its type.
     std::map<std::tuple<int, bool, bool>, Id<Network::Template>> timers = {};

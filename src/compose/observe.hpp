@@ -7,10 +7,11 @@
 // observer can always read the next state and assigns no variables that the loop reads, except `look`. The number of
 // additional moves between two states of the loop is the number of observers.
 //
-//   `p leads to q within 20s`    idle -> due    the observer reads a state with p and without q, and starts its clock
-//                                due -> idle    the observer reads a state with q
-//                                due -> failed  can be taken at any time when the clock exceeds 20 s; the property
-//                                               becomes `never failed`
+// For example, the property `p leads to q within 20s` becomes `never failed`, and its observer has these edges between
+// different locations:
+//   `idle -> due`:   The observer reads a state with p and without q, and starts its clock.
+//   `due -> idle`:   The observer reads a state with q.
+//   `due -> failed`: The edge can be taken at any time when the clock exceeds 20 s.
 //
 // If the property has the suffix `at stable`, its observer skips the states that are not quiescent. A liveness
 // property, such as `inevitable p after r`, becomes a `leads to` between locations of the observer. Guards can read
@@ -24,7 +25,7 @@
 
 namespace grafverif {
 
-/// Determines if probes for the vacuity of the observed properties are added to the network (compose/vacuity.hpp).
+/// Determines whether probes for the vacuity of the observed properties are added to the network (compose/vacuity.hpp).
 enum class Vacuity { Ignored, Probed };
 
 /// Returns the properties with Pattern::Watched, in order.

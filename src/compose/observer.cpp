@@ -87,7 +87,7 @@ private:
     const ObserverTerms& terms_;
     std::int64_t duration_;
     Id<Network::Clock> clock_ = {};
-    /// For each location: condition under which none of the edges added so far can be taken.
+    /// For each location: condition under which none of its edges that have already been added can be taken.
     std::vector<Id<Expr>> rest_ = {};
 };
 

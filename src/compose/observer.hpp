@@ -14,6 +14,7 @@ struct ObserverTerms {
     std::vector<Id<Expr>> operands = {};  ///< operands of the property
     Id<Expr> considered = {};             ///< true if the current state is relevant for the property
     Id<Expr> active = {};                 ///< true if this observer must read the state next
+
     /// `look`: variable that the observer assigns when it has read the state. `next`: the new value of this variable.
     Id<Expr> look = {}, next = {};
 };

@@ -287,7 +287,8 @@ private:
         std::vector<Update> updates;
         for (const Kept& each : kept_)
             if (each.first.valid() && !each.after) updates.push_back({each.variable, {each.first}});
-        std::ranges::stable_partition(updates, [&](const Update& update) {  // the previous values for edges come first
+        // Updates of previous values precede all other updates.
+        std::ranges::stable_partition(updates, [&](const Update& update) {
             return equations_.variables[update.target].role == Equations::Role::Previous;
         });
         const std::vector<VariableId> olds = keep_old(updates, list);
@@ -311,7 +312,8 @@ private:
     bool phased_;
     bool every_cycle_;
     std::vector<Kept> kept_;
-    std::vector<Id<Expr>> stored_;  ///< for each variable of the equations: the leaf of its network variable
+    /// For each variable of the equations: the leaf of its network variable.
+    std::vector<Id<Expr>> stored_;
     /// For each variable of the equations: the scratch variable that stores its old value.
     std::vector<Id<Network::Variable>> old_;
 };

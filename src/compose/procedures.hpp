@@ -13,7 +13,7 @@ struct Procedures {
     /// The assignments of write() that reset samples, for a cycle that does not call write().
     std::vector<Network::Assignment> forget = {};
     std::vector<Network::Assignment> sample = {};  ///< samples of inputs that are held for all evolutions of a scan
-    std::vector<Network::Assignment> start = {};   ///< executed before the first cycle; only if ControllerParts::starts
+    std::vector<Network::Assignment> start = {};   ///< executed before the first cycle if ControllerParts::starts holds
 };
 
 /// True if the mode is every_cycle or the first evolution has an effect.

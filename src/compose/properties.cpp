@@ -37,7 +37,7 @@ Id<Expr> formula_of(const ClosedLoop& loop, const ClosedLoop::Symbol& symbol, Co
                               const ControllerParts& parts = composition.controllers[of.controller.index];
                               return in_controller(parts, end_of(*parts.equations, of));
                           },
-                          // The function reads_observer excludes this case.
+                          // The function reads_observer excludes properties with this symbol.
                           [](const ClosedLoop::ObserverSymbol&) -> Id<Expr> { unreachable(); },
                       },
                       symbol);

@@ -37,6 +37,7 @@ private:
         bool kept = false;                       ///< true if the value must be computed before the first update
         std::size_t uses = 0;                    ///< number of terms and updates that read the term
         std::size_t earliest = not_overwritten;  ///< index of the first update that overwrites a variable of the term
+
         /// Number of nodes, where a subterm in a scratch variable counts as one node.
         std::uint64_t size = 1;
         Id<Expr> replaced = {};  ///< the term in which scratch variables replace shared subterms

@@ -15,10 +15,10 @@
 // rises again during t2, the new t1 (rise, clock t) elapses concurrently with the rest of the previous t2 (fall, clock
 // u).
 //
-//   t1/v            v/t2                  t1/v/t2
-//   idle -> run     off -> on             idle -> run -> done -> fall -> idle
-//   run -> done     on -> fall            fall -> both (the level rises again), both -> done, both -> run, both -> fall
-//   done -> idle    fall -> on, off
+// Main edges of the three templates:
+//   `t1/v`:    idle -> run -> done -> idle
+//   `v/t2`:    off -> on -> fall -> off; fall -> on
+//   `t1/v/t2`: idle -> run -> done -> fall -> idle; fall -> both (the level rises again); both -> done, run or fall
 #include <algorithm>
 #include <cassert>
 #include <tuple>
@@ -51,7 +51,8 @@ const char* template_name(Delays delays) {
 
 /// The connection of a timer to its controller.
 struct Coupling {
-    /// True if the timer waits for requests; false if it follows the level of its step (Ablations::timers_as_published).
+    /// True if the timer waits for requests; false if it follows the level of its step, as with
+    /// Ablations::timers_as_published.
     bool requests = true;
     bool flags = true;   ///< true if each change of the output Q sets EVOL_TI
     bool waits = false;  ///< true if delays elapse only while `stable` is true

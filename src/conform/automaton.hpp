@@ -35,7 +35,8 @@ struct AutomatonOptions {
     std::uint64_t max_locations = 20'000'000;
     std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< memory limit of decision diagrams in bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
-    const std::atomic<bool>* stop = nullptr;  ///< cancellation flag, which another thread may set
+    /// Cancellation flag, which another thread may set.
+    const std::atomic<bool>* stop = nullptr;
     /// Determines the result if a limit, the deadline or `stop` ends the search. True: an incomplete automaton, whose
     /// member `complete` is false. False: an error.
     bool partial = false;

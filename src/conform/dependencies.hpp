@@ -2,8 +2,8 @@
 // Determines which conditions and equations an evolution must evaluate. The condition of a transition with upstream
 // steps needs to be evaluated only if the first upstream step is active. An equation whose value changes only by firing
 // needs to be evaluated only if a transition on which it depends fires. All other conditions of transitions and all
-// other equations are always evaluated. If a condition is not evaluated, it is false; if an equation is not evaluated,
-// its variable keeps its value. This method saves time, because an evolution changes only few of the many variables in
+// other equations are always evaluated. A condition that is not evaluated is false; the variable of an equation that is
+// not evaluated keeps its value. This method saves time, because an evolution changes only few of the many variables in
 // a large chart.
 #pragma once
 
@@ -31,6 +31,7 @@ struct Dependencies {
     Numbers unguarded = {};  ///< transitions without an upstream step
     Computed fields = {};    ///< fields that may change; all other fields keep their values
     Computed races = {};     ///< stored variables to which two actions may write different values (race)
+
     /// True if a situation is never stable when a transition fires in it.
     bool firing_unsettles = false;
 };

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 // The result of an evolution is computed by successive partitions of the inputs:
 //
-//   classes   In a state, the variables of the chart are constant, so the condition of each transition is a set of
-//             inputs. These sets partition the inputs into classes. For all inputs of a class, the same set of
-//             transitions fires (JESA13 (11) to (13)). Individual valuations of the inputs are never enumerated. Of the
-//             2^n sets of n transitions, only those sets are enumerated that fire for some inputs.
-//   parts     In a class, the firing conditions are also constant. Within a class, the next value of a variable is a
-//             number or, rarely, a function of the inputs, whose values split the class into parts. Variables that do
-//             not depend on the firing transitions (dependencies.hpp) are unchanged.
-//   stable    A part is split by the stability condition of the equations. In a stable part, only previous values change.
-//   levels    The levels that timers observe are terms over the new values and the inputs. The values of these levels
-//             split the parts again.
+//   `classes`: In a state, the variables of the chart are constant, so the condition of each transition is a set of
+//              inputs. These sets partition the inputs into classes. For all inputs of a class, the same set of
+//              transitions fires (JESA13 (11) to (13)). Individual valuations of the inputs are never enumerated. Of
+//              the 2^n sets of n transitions, only the sets that fire for some inputs are enumerated.
+//   `parts`:   In a class, the firing conditions are also constant. Within a class, the next value of a variable is a
+//              number or, rarely, a function of the inputs, whose values split the class into parts. Variables that do
+//              not depend on the firing transitions (dependencies.hpp) are unchanged.
+//   `stable`:  A part is split by the stability condition of the equations. In a stable part, only previous values
+//              change.
+//   `levels`:  The levels that timers observe are terms over the new values and the inputs. The values of these levels
+//              split the parts again.
 //
 // Each step of the computation partitions the inputs. Therefore, the moves are disjoint and cover the initial set: the
 // assumed inputs that are consistent with the known timer outputs. All steps read the state before the evolution, `at`,

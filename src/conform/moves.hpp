@@ -63,7 +63,8 @@ private:
         std::vector<std::uint32_t> fired = {};
     };
     class Partition;
-    using Changes = std::vector<std::pair<std::uint32_t, std::int64_t>>;  ///< pairs of field and value
+    /// Pairs of field and value.
+    using Changes = std::vector<std::pair<std::uint32_t, std::int64_t>>;
     /// A subset of the inputs of a class, together with the changes that the evolution makes for these inputs.
     struct Region {
         Bdd set = {};

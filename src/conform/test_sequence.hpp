@@ -14,8 +14,8 @@
 // The total length of the sequences is minimal, and among all solutions of this length, the number of sequences is
 // minimal.
 //
-// For a cover of locations, the tour repeatedly goes to the nearest unvisited state. This tour is short, but it is
-// proved to be minimal only if it repeats no step.
+// For a cover of locations, the tour repeatedly goes to the nearest unvisited state. The resulting tour is short, but
+// it is proved to be minimal only if it repeats no step.
 #pragma once
 
 #include <cstdint>

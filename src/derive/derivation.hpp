@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Derivation: data shared by all functions of derive. A Derivation contains the chart, the equations derived so far,
-// the map from elements of the chart to the equations, and the size limits of substitution.
+// Derivation: data shared by all functions of derive. A Derivation contains the chart, the equations that have already
+// been derived, the map from elements of the chart to the equations, and the size limits of substitution.
 #pragma once
 
 #include <cstdint>
@@ -41,6 +41,7 @@ struct Hierarchy {
     std::vector<std::vector<Id<Chart::Step>>> region = {};  ///< for each partial chart: the steps of its region
     std::vector<std::vector<Id<Chart::ForcingOrder>>> orders =
         {};  ///< for each partial chart: the forcing orders that apply to its region
+
     /// For each forcing order: the steps that it activates, sorted.
     std::vector<std::vector<Id<Chart::Step>>> forced = {};
     std::vector<bool> initial = {};  ///< for each step: true if it is active at power-on
@@ -54,7 +55,8 @@ std::optional<Hierarchy> hierarchy(const Chart& chart, Diagnostics& diagnostics)
 bool conflict(const Chart& chart, const Hierarchy& hierarchy, Id<Chart::ForcingOrder> one,
               Id<Chart::ForcingOrder> other);
 
-inline constexpr std::size_t term_size_limit = 1'000'000;  ///< maximum number of nodes of one equation as a tree
+/// Maximum number of nodes of one equation as a tree.
+inline constexpr std::size_t term_size_limit = 1'000'000;
 /// Maximum total number of nodes of all terms that substitution and race conditions add.
 inline constexpr std::size_t total_size_limit = 10'000'000;
 inline constexpr std::size_t term_depth_limit = 2'000;
@@ -89,6 +91,7 @@ struct Derivation {
     UniqueNames names = {};                             ///< names of timers and of variables of the equations
     std::vector<Id<Equations::Variable>> steps = {};    ///< the variable X_s of each step
     std::vector<Id<Equations::Variable>> firings = {};  ///< the variable CF_t of each transition
+
     /// The variable X_s of each step as a term. The terms are stored, because repeated searches for these leaves would
     /// dominate the run time.
     std::vector<Id<Expr>> step_leaves = {};
@@ -97,14 +100,16 @@ struct Derivation {
     std::vector<std::vector<Id<Chart::ContinuousAction>>> continuous = {};  ///< continuous actions of each variable
     std::vector<std::vector<Id<Chart::StoredAction>>> stored = {};          ///< stored actions of each variable
     std::vector<bool> reads_output = {};  ///< for each term of the chart: true if it contains a continuous output
+
     /// For each variable of the chart that is a continuous output: the right-hand side of equation (13).
     std::vector<Id<Expr>> values = {};
     std::unordered_map<std::uint32_t, Id<Equations::Variable>> previous = {};  ///< P_e for each term e of the equations
     std::unordered_map<std::uint32_t, Id<Equations::Variable>> watched = {};   ///< V_e for each term e of the equations
+
     /// Timers, identified by observed variable, t1 and t2.
     std::map<std::tuple<Id<Equations::Variable>, std::int64_t, std::int64_t>, Id<Equations::Timer>> timers = {};
     Measures measures = {};
-    std::uint64_t added = 0;        ///< number of nodes added so far; see total_size_limit
+    std::uint64_t added = 0;        ///< number of added nodes; see total_size_limit
     bool exhausted = false;         ///< true if the total limit was exceeded and the error was reported
     std::size_t errors_before = 0;  ///< number of errors before this derivation
 };

@@ -23,7 +23,8 @@ struct Edges {
     std::vector<bool> occur = {};   ///< true if the term contains an edge
     std::vector<bool> needed = {};  ///< true if the term is false whenever no edge occurs
     std::vector<bool> nested = {};  ///< true if the term contains an edge of an edge
-    /// True if the term reads an edge, and can become true or undefined once no signal has an edge.
+
+    /// True if the term reads an edge and can become true or undefined in a later cycle in which no signal has an edge.
     std::vector<bool> after = {};
 };
 
@@ -209,7 +210,7 @@ std::string qualifier(const StepName& step) { return step.partial.empty() ? "" :
 std::optional<Equations> derive(const Chart& chart, Diagnostics& diagnostics) {
     if (chart.program) {
         diagnostics.add(messages::only_for_charts(
-            chart.origin, chart.name, "only a GRAFCET can be used in this way",
+            chart.origin, chart.name, "this operation requires the steps of a chart",
             "check the program in a closed loop, or pass its file and `--properties` to `check`"));
         return {};
     }

@@ -2,14 +2,13 @@
 // derive: translates a Chart to Equations, the algebraic model of CEP13 section 5, equations (11) to (13), extended by
 // stored actions and by timers for time conditions.
 //
-// Mapping:
-//   variable    -> the variable with the same index, type and initial value: the variables of the chart precede all
-//               others
-//   step        -> the variable X_2, or X_G2_2 in the partial chart G2, and its activity (12)
-//   transition  -> the variable CF_T0 and its firing condition (11)
-//   time condition 3s/X2 -> the timer T_X2_3s and its output T_X2_3s_Q, one per step and duration
-//   output      -> its equation (13); false if it has no action
-//   variable with stored actions -> its next value, its race condition, its value after the first evolution
+// Elements of the equations for each element of the chart:
+//   Variable: a variable with the same index, type and initial value; the variables of the chart precede all others.
+//   Step 2: the variable X_2, or X_G2_2 in the partial chart G2, and its activity, equation (12).
+//   Transition T0: the variable CF_T0 and its firing condition, equation (11).
+//   Time condition 3s/X2: the timer T_X2_3s and its output T_X2_3s_Q, one per step and duration.
+//   Output: its equation (13), which is the constant false if the output has no action.
+//   Variable with stored actions: its next value, its race condition, and its value after the first evolution.
 // If a name is already used, a number is appended: `X_2_2`.
 //
 // A continuous output in a condition is replaced by its equation (13), so that no equation depends on the value that

@@ -3,13 +3,13 @@
 // processed first, because the equations of the forced or enclosed charts use their new step activities:
 //
 //   X_s' = X_e' and (raised or ((base or linked) and not cleared))
-//     base      equation (12)
-//     X_e'      the step e that encloses the chart of s remains or becomes active
-//     linked    s has an activation link, and the enclosing step becomes active while no forcing order keeps the chart
-//               in its current situation
-//     raised    an active forcing order for the chart of s activates s
-//     cleared   an active forcing order for the chart of s deactivates s
-//   X_M' = disjunction of X_s', s in the expansion of the macro-step M
+//     `base`:    The right-hand side of equation (12) for s is true.
+//     `X_e'`:    The step e that encloses the chart of s remains or becomes active.
+//     `linked`:  The step s has an activation link, and the enclosing step becomes active while no forcing order keeps
+//                the chart in its current situation.
+//     `raised`:  An active forcing order for the chart of s activates s.
+//     `cleared`: An active forcing order for the chart of s deactivates s.
+//   X_M' = disjunction of X_s' for all steps s in the expansion of the macro-step M
 //
 // An active forcing order blocks the transitions of the forced chart. Contradictory forcing orders must not be active
 // simultaneously.

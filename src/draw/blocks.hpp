@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Blocks: the series-parallel decomposition of a flow (the graph of a partial chart).
 //
-// Each node connects two ends, one above the node and one below it. Arcs connect ends of different nodes. The graph is
+// Each node connects two ends, one above and one below the node. Arcs connect ends of different nodes. The graph is
 // reduced by the two rules of series-parallel graphs. Two elements form a Series if they meet at an end to which no
 // other element is connected. Two elements between the same ends form a Parallel. Charts that consist of sequences,
 // selections and parallel branches are reduced to one block. If the reduction does not result in one block, the
@@ -34,6 +34,7 @@ struct Block {
     std::size_t parent = nowhere, first = nowhere, last = nowhere, next = nowhere;  ///< indices of related blocks
     std::size_t key = 0;  ///< parallel blocks are placed in the order of their keys
     bool open = false;    ///< true if this part of a Parallel does not extend from one end to the other
+
     /// For a strip in a Core: indices of the upper and the lower end of the strip.
     std::size_t above = nowhere, below = nowhere;
     /// Vertical range. Row r has the index 2r + 1, the channel above the row has the index 2r, and the channel below

@@ -197,7 +197,7 @@ public:
 
 private:
     /// Returns the smallest y at which a panel of the given width that begins at the x of level `k` is below all panels
-    /// placed so far.
+    /// that have already been placed.
     int lowest_above(std::size_t k, int width) const {
         int lowest = levels_[k].y;
         for (std::size_t j = k; j < levels_.size() && levels_[j].x < levels_[k].x + width + margin; ++j)

@@ -9,7 +9,8 @@
 namespace grafverif {
 
 struct ChartText {
-    std::vector<std::string> comments = {};  ///< comments of steps, which are included in the drawing
+    /// Comments of steps, which are included in the drawing.
+    std::vector<std::string> comments = {};
     /// Conditions in the notation of the source, for drawings with Notation::Text.
     std::vector<std::string> transitions = {}, continuous = {};
     std::vector<std::string> events = {}, values = {};  ///< events and values of stored actions as in the source

@@ -22,7 +22,8 @@ struct Lane {
 
 struct Columns {
     std::vector<int> nodes = {};
-    std::vector<int> arcs = {};  ///< column of each arc that is not upward
+    /// Column of each arc that is not upward.
+    std::vector<int> arcs = {};
     /// Column of the exit stub and of the entry stub of each arc with stubs.
     std::vector<int> exits = {}, entries = {};
     std::vector<std::size_t> lane_of = {};  ///< lane of each upward arc

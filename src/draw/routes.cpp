@@ -391,6 +391,7 @@ private:
     std::vector<int> centres_ = {};                 ///< for each row: y position of its centre
     std::vector<std::size_t> begins_ = {};          ///< for each piece of a folded flow: its first row
     std::vector<int> shift_x_ = {}, shift_y_ = {};  ///< for each piece of a folded flow: its displacement
+
     /// For each cut line: its number, by boundary and x position.
     std::map<std::pair<std::size_t, int>, std::size_t> numbers_ = {};
     std::set<std::pair<std::size_t, bool>> named_ = {};

@@ -56,7 +56,7 @@ struct Symbols::Action {
     std::string label = {};
     std::vector<Runs> above = {};  ///< lines of the condition of the action, drawn above the box
     Sign sign = Sign::None;
-    bool twofold = false;  ///< true: double frame of a forcing order
+    bool twofold = false;  ///< true for a forcing order, which has a double frame
 
     int width() const {
         return std::max({half_step, width_of(label, text_size) + 16, widest_of(above, small_size) + 14});

@@ -60,8 +60,8 @@ public:
     void type(std::string_view text);
     /// Replaces the text as one editing step, which can be undone.
     void replace(std::string_view text);
-    /// `undo` undoes one editing step, and `redo` repeats it. They return the offset of the change, or nothing without
-    /// such a step.
+    /// `undo` undoes one editing step, and `redo` repeats it. Both return the offset of the change, or nothing if there
+    /// is no step to undo or repeat.
     std::optional<std::uint32_t> undo();
     std::optional<std::uint32_t> redo();
     /// Parses the text again, because an included file has changed.

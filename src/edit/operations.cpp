@@ -38,7 +38,7 @@ void Planner::execute(const Operation& operation) {
     case OperationKind::Partial: return add_partial(trimmed(operation.text));
     case OperationKind::Macro: return add_macro();
     case OperationKind::Enclosing: return add_enclosing(trimmed(operation.text));
-    case OperationKind::Rename: obstacle_ = "renaming needs all files"; return;
+    case OperationKind::Rename: obstacle_ = "renaming requires all files that use the name"; return;
     }
 }
 

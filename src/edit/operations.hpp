@@ -28,7 +28,7 @@ enum class OperationKind : std::uint8_t {
     Jump,         ///< adds a transition from a step to the step `target`, or changes the target of a transition
     Action,       ///< adds the action `text` to a step or transition
     Replace,      ///< replaces the condition of a transition, or an action, by `text`
-    Delete,       ///< deletes an action, or a step or transition and reconnects its links
+    Delete,       ///< deletes an action, a transition, or a step, whose links are reconnected
     Rename,       ///< renames an element to `text` at all its uses (see Document)
     Paste,        ///< adds copies of the steps in `text` (see the function `copied`) as an alternative to a transition
     Declare,      ///< declares the variable `text`, such as `input START`, in the chart of the element
@@ -48,6 +48,7 @@ struct Operation {
 struct Plan {
     std::vector<TextEdit> edits = {};  ///< edits, sorted by position
     std::string obstacle = {};         ///< reason for rejection; if not empty, there are no edits
+
     /// Position of the new or changed element in the text after the edits; empty if the element was deleted.
     std::optional<std::uint32_t> selected = {};
 };

@@ -129,6 +129,7 @@ private:
     std::set<std::string, std::less<>> used_ = {};  ///< see used(); empty before the first use
     std::optional<std::size_t> selected_in_ = {};   ///< index of the edit that adds the selected element
     std::size_t selected_at_ = 0;                   ///< offset of the selected element in the replacement
+
     /// Position, before the edits, of a selected element that exists already.
     std::optional<std::uint32_t> selected_ = {};
 };

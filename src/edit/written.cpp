@@ -13,8 +13,8 @@ namespace grafverif::edit {
 
 namespace {
 
-/// Parses a chart that contains only the part `written` of a user. Returns an empty string if `accepts` is true for the
-/// only declaration of this chart, otherwise the reason why the part is rejected.
+/// Parses a chart that contains only the text `written`, which a user has entered. Returns an empty string if `accepts`
+/// is true for the only declaration of this chart, otherwise the reason why the text is rejected.
 template <class Item, class Accepts>
 std::string fault_of(const std::string& written, std::string_view what, const std::string& before,
                      const Accepts& accepts) {

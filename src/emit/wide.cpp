@@ -44,7 +44,8 @@ public:
         fit_constants(id);
         wide_ = wide_terms(network.exprs, [&](const Expr& leaf) {
             if (leaf.op != Op::Parameter) return type_of(network, leaf);
-            // The parameter may belong to another template with more parameters.
+            // The terms of all templates are visited: a parameter of another template may have an index beyond
+            // `types_`.
             const auto index = static_cast<std::size_t>(leaf.value);
             return index < types_.size() ? types_[index] : Type{};
         });

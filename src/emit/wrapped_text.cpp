@@ -11,7 +11,8 @@ std::vector<std::string_view> wrapped(std::string_view text, std::size_t width, 
     constexpr std::size_t none = std::string_view::npos;
     std::vector<std::string_view> lines;
     while (text.size() > width) {
-        // Position of the last break within the width; if there is no such break, of the first break.
+        // The position of the last break within the width; if no break is within the width, the position of the first
+        // break.
         std::size_t end = none;
         for (auto blank = text.find(' '); blank != none && (blank <= width || end == none);
              blank = text.find(' ', blank + 1))

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Ablation: removes one element from a model, to test if a proof needs it.
 //
-//   a transition          the transition is never cleared
-//   a step                the step has no effect: its continuous and stored actions and its forcing orders are removed
-//   a term                one operand of an `and` or `or` is removed; a condition that is neither an `and` nor an `or`
-//                         is removed completely
-//   a statement           an assignment, a call, EXIT or RETURN of a PLC program is not executed
-//   an edge               an edge of one instance is never taken; the instance may stay in its source location forever
-//   a guard               the guard of one edge of an instance is ignored: within its clock constraint, the edge may or
-//                         may not be taken
-//   a timing              the clocks of an instance or timer are ignored: each of its delays is arbitrary, possibly
-//                         infinite
-//   an instance           the instance may be in any location and write any output value at any time
+//   transition: The transition is never cleared.
+//   step: The step has no effect: its continuous and stored actions and its forcing orders are removed.
+//   term: One operand of an `and` or `or` is removed. A condition that is neither an `and` nor an `or` is removed
+//     completely.
+//   statement: An assignment, a call, EXIT or RETURN of a PLC program is not executed.
+//   edge: An edge of one instance is never taken; the instance may stay in its source location forever.
+//   guard: The guard of one edge of an instance is ignored: within its clock constraint, the edge may or may not be
+//     taken.
+//   timing: The clocks of an instance or timer are ignored: each of its delays is arbitrary, possibly infinite.
+//   instance: The instance may be in any location and write any output value at any time.
 //
 // Removing a guard, a timing or an instance over-approximates the loop: all reachable states remain reachable, apart
 // from the locations and clocks of a removed instance. Therefore, if a property of all states still holds after the
@@ -62,7 +61,7 @@ struct ProgramElement {
     bool transition = false;
     std::string name = {};  ///< the text of the statement, or the name of the transition, such as `Idle -> Run`
     Span origin = {};
-    /// Several statements only if one assignment copies an array or structure.
+    /// Contains more than one statement only if the assignment copies an array or a structure.
     std::vector<Id<Program::Statement>> statements = {};
 };
 /// Returns the statements and transitions that the source of the program contains, in the order of the units. Branches

@@ -34,8 +34,9 @@ struct Causes {
         bool operator==(const Pair&) const = default;
     };
     std::vector<Pair> pairs = {};  ///< ordered by state, then as in the property
-    /// False if a state has more terms than the maximum `most`, and some of these terms are repeated. For such a state,
-    /// the causes were computed by the rule of the paper, which is not exact if terms are repeated.
+
+    /// False if a state has more terms than the maximum `most`, and some of these terms are repeated. For a state with
+    /// repeated terms, the causes were computed by the rule of the paper, which is not exact if terms are repeated.
     bool exact = true;
 
     bool operator==(const Causes&) const = default;
@@ -46,8 +47,8 @@ struct Causes {
 inline constexpr std::size_t most_terms = 10;
 
 /// Returns the causes. `states` are the states of a run (see replay) that violates `property`; `loop` is the index of
-/// the state that equals the last state. The result is empty if the property has another pattern than those above, if
-/// some term is undefined, or if the run does not violate the property.
+/// the state that equals the last state. The result is empty if the run does not violate the property, if some term is
+/// undefined, or if no causes are defined above for the pattern.
 std::optional<Causes> causes_of(const Network& network, const Property& property,
                                 const std::vector<NetworkState>& states, std::optional<std::size_t> loop,
                                 std::size_t most = most_terms);
@@ -59,7 +60,7 @@ std::optional<Causes> causes_of(const TransitionSystem& system, const Property& 
 
 /// Marks in `run` the values that the terms of the causes read. `run` is the projection of the same run (`states`,
 /// `shown`). A value without a name in the loop, such as the choice of the scheduler or the time of a longer term, is
-/// not marked. If such a value is a cause, the causes in `run` are recorded as not exact.
+/// not marked. If a value without a name is a cause, the causes in `run` are recorded as not exact.
 void mark(const Network& network, const std::vector<NetworkState>& states, const Causes& causes, ChartRun& run);
 void mark(const TransitionSystem& system, const SystemRun& shown, const Causes& causes, ChartRun& run);
 

@@ -4,12 +4,11 @@
 //
 // A move is free if nothing forces it: an edge of the plant or its environment that is not urgent and whose source
 // location has no invariant. To omit a set of free moves, the run is re-executed from power-on:
-//   free moves and delays   are kept in the same order, each after the same time; if one of them is impossible, the
-//                           remaining moves are not a run, and the set is rejected
-//   all other moves         are kept if they are possible, and omitted otherwise
-//   forced moves            if time cannot pass, or a free move is impossible, the first edge of the network that is
-//                           enabled and not free is taken first; the same applies at the end of the run, if an urgent
-//                           edge is enabled
+//   - Free moves and delays are kept in the same order, each after the same time. If one of them is impossible, the
+//     remaining moves are not a run, and the set is rejected.
+//   - Other moves are kept if they are possible, and omitted otherwise.
+//   - If time cannot pass, or a free move is impossible, the first edge of the network that is enabled and not free is
+//     taken first. Such an edge is also taken at the end of the run, if an urgent edge is enabled.
 // The result of the re-execution is a run of the network. The set is a change only if the property holds in all states
 // of this run.
 #pragma once
@@ -34,6 +33,7 @@ struct ShortestChange {
     std::optional<Change> found = {};  ///< the first of the smallest changes; empty if none was found
     std::size_t free_moves = 0;        ///< number of free moves in the run
     std::size_t tried = 0;             ///< number of sets that were tried
+
     /// True if the search ended before all sets were tried: it was stopped or reached the maximum effort.
     bool exhausted = false;
 };

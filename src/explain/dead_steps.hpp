@@ -21,6 +21,7 @@ namespace grafverif {
 struct ConditionLeaves {
     std::vector<std::uint32_t> steps = {};
     std::map<std::string, std::uint32_t> variables = {};  ///< inputs and internal variables by name
+
     /// For each time condition: the output of its timer, if it has a timer.
     std::vector<std::optional<std::uint32_t>> ends = {};
 };

@@ -58,7 +58,7 @@ private:
     }
 
     void add(const Program::Body& body) {
-        bool follows = false;  // true if the last element is the preceding statement of this body
+        bool follows = false;  // true if the last element of `found_` is the preceding statement of `body`
         for (const Id<Statement> id : body) {
             const Statement& statement = program_.statements[id];
             if (const auto test = transitions_.find(id); test != transitions_.end()) {

@@ -2,9 +2,10 @@
 // Searches for the shortest change of a run with free inputs (no plant) that violates a property about single states: a
 // smallest set of events of inputs and timers such that the property holds in every state of the run without these
 // events. Events in a state are:
-//   an input changes   its value differs from its value in the previous state; in the first state, it differs from the
-//                      value in its range that is closest to 0
-//   a timer expires    its output is true and was false in the previous state; in the first state, its output is true
+//   - An input changes if its value differs from its value in the previous state. In the first state, an input changes
+//     if its value differs from the value in its range that is closest to 0.
+//   - A timer expires if its output is true and was false in the previous state. In the first state, a timer expires if
+//     its output is true.
 //
 // To omit events, the run is re-executed from the first state. If the change of an input is omitted, the input keeps
 // its value until its next change. If the expiry of a timer is omitted, the output of the timer stays false until the
@@ -41,10 +42,12 @@ struct InputChange {
         bool operator==(const ChoiceEvent&) const = default;
     };
     std::vector<ChoiceEvent> events = {};  ///< all events, ordered by state
+
     /// The omitted events: among all smallest sets, the set whose events occur latest. Empty if no set was found.
     std::optional<std::vector<ChoiceEvent>> left_out = {};
     SystemRun run = {};     ///< the run without the events `left_out`; it has a loop
     std::size_t tried = 0;  ///< number of sets that were tried
+
     /// True if the search ended before all sets were tried: it was stopped or reached the maximum effort.
     bool exhausted = false;
 };

@@ -86,7 +86,7 @@ std::string unstable_text(const ChartRun& run) {
         const bool changes = cycle.find("->") != std::string::npos;
         text += fmt::format("{}with these inputs, `{}` never becomes stable: {} {}, forever within one instant",
                             text.empty() ? "" : "; ", run.controllers[controller].name,
-                            changes ? "its situation cycles" : "it evolves in situation", cycle);
+                            changes ? "its situation cycles" : "evolutions repeat in situation", cycle);
     }
     return text.empty() ? text : text + "; make a transition of the cycle wait for an input change";
 }

@@ -22,6 +22,7 @@ struct InstantChange {
     std::optional<std::vector<ChartRun::Counterfactual>> left_out =
         {};                 ///< omitted input changes: among all smallest sets, the set whose changes occur latest
     std::size_t tried = 0;  ///< number of sets that were tried
+
     /// True if the search ended before all sets were tried: it was stopped or reached the maximum effort.
     bool exhausted = false;
 };

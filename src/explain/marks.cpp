@@ -52,8 +52,8 @@ std::optional<bool> watched_value(const ChartRun& run, Id<ChartRun::Timer> id, s
 
 /// Marks the timer output, whose value is `over`, as a cause. Time conditions combine the output with the observed
 /// term: `3s/v` is the conjunction of `v` and the output, and `v/3s` is the disjunction. The output is not marked if
-/// the value of the condition differs from the output, or if the observed signal has no name. In this case, the causes
-/// are recorded as not exact.
+/// the value of the condition differs from the output, or if the observed signal has no name. If the output is not
+/// marked, the causes are recorded as not exact.
 void append_time(ChartRun& run, Id<ChartRun::Timer> id, bool over, ChartRun::Cause cause, std::size_t before) {
     const ChartRun::Timer& timer = run.timers[id];
     const std::optional<bool> watched = watched_value(run, id, cause.first);

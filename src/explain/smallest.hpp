@@ -22,6 +22,7 @@ enum class Attempt {
 struct SmallestSet {
     std::optional<std::vector<std::size_t>> found = {};  ///< elements of the set, increasing; empty if none was found
     std::size_t tried = 0;                               ///< number of sets that were tried
+
     /// True if the search was stopped, or reached its maximum effort, before all sets were tried.
     bool exhausted = false;
 };

@@ -31,8 +31,9 @@ struct Standstill {
 /// the run, or if the continuation becomes too long.
 Standstill standstill(const Network& network, const Run& run);
 
-/// Returns one sentence for each blocker, with its invariant and its edges, or one sentence that lists the repeating
-/// processes. The text ends with a remedy. If there are neither blockers nor repeating processes, the text is empty.
+/// Returns one sentence for each process that blocks time, with its invariant and its edges, or one sentence that lists
+/// the repeating processes. The text ends with a remedy. If there are neither blocking nor repeating processes, the
+/// text is empty.
 std::string standstill_words(const Network& network, const Standstill& found);
 
 }  // namespace grafverif

@@ -118,7 +118,7 @@ private:
             const std::size_t from = last(holds && sentence_.scope == Scope::Globally ? "on" : "due");
             add(from, fmt::format("{}{} from {}", holds ? "" : "no ", p, text_of(time(from))));
             add("deadline " + deadline(from));
-            return add(bad_, p + (holds ? " still true after it" : " not true by then"));
+            return add(bad_, p + (holds ? " still true after the deadline" : " not true by then"));
         }
         case Kind::Since:
             if (const std::size_t after = last("after"); after < entries_.size()) {
@@ -162,9 +162,10 @@ private:
     const Sentence& sentence_;
     const ChartRun& run_;
     std::vector<Entry> entries_;
-    std::vector<std::string> terms_ = {};  ///< operands of the sentence in quotation marks
+    std::vector<std::string> terms_ = {};  ///< operands of the sentence, each between backticks
     bool fails_ = false;                   ///< false if a required event never occurs
     bool closed_ = false;                  ///< true if the explanation includes the end of the scope
+
     /// Indices of the entries for the violation and for the opening of the scope.
     std::size_t bad_ = 0, opening_ = 0;
     SentenceViolation made_ = {};

@@ -10,8 +10,8 @@
 
 namespace grafverif {
 
-/// What proves a verdict. Fragment, Subsystems: states of a fragment, or of each independent subsystem, of the network.
-/// WitnessCircuit: the circuit of an inductive invariant of an untimed model.
+/// The type of the object that proves a verdict. Fragment, Subsystems: states of a fragment, or of each independent
+/// subsystem, of the network. WitnessCircuit: the circuit of an inductive invariant of an untimed model.
 enum class CertificateKind : std::uint8_t { States, Fragment, Subsystems, Run, WitnessCircuit };
 
 constexpr std::string_view word(CertificateKind kind) {
@@ -35,7 +35,7 @@ struct CertificateSummary {
         std::string property = {};
         CertificateKind kind = CertificateKind::States;
     };
-    std::string folder = {};  ///< the folder of the files
+    std::string folder = {};  ///< the folder that contains the files of the certificate
     std::vector<Certified> certified = {};
     std::vector<Omitted> omitted = {};
 

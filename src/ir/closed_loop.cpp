@@ -81,7 +81,7 @@ void check_argument(ClosedLoopChecker& checker, const ClosedLoop::Instance& inst
     if (input) read[shared->index] = true;
 }
 
-/// Checks an instance. Counts it as a writer of its outputs in `writers`, and marks its inputs in `read`.
+/// Checks `instance`, counts the instance in `writers` for each of its outputs, and marks its inputs in `read`.
 void check_instance(ClosedLoopChecker& checker, const ClosedLoop::Instance& instance, std::vector<int>& writers,
                     std::vector<bool>& read) {
     checker.check(checker.model.components.contains(instance.component),

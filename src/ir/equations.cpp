@@ -142,7 +142,7 @@ struct EquationsCheck {
         define(stored.variable, stored.next, "the stored value");
         if (!known(stored.variable)) return;
         const Equations::Variable& variable = equations.variables[stored.variable];
-        const bool is_time = equations.is_program && variable.role == Role::Previous;  // not shown in reports
+        const bool is_time = equations.is_program && variable.role == Role::Previous;  // a timer, which reports omit
         if (variable.role != Role::Internal && variable.role != Role::Output && !is_time)
             fault(name(stored.variable) + " has an equation of a type that its role does not permit");
         condition(stored.race, Sort::Boolean, "the race condition of " + name(stored.variable));

@@ -95,7 +95,7 @@ private:
             if (!known_[index(site)].valid())
                 for (const Site source : sources(site))
                     if (!known_[index(source)].valid()) open.push_back(source);
-            assert(open.size() <= known_.size() * known_.size() + 1);  // holds because definitions are acyclic
+            assert(open.size() <= known_.size() * known_.size() + 1);  // bounded: definitions are acyclic
             if (open.size() != before) continue;
             open.pop_back();
             if (known_[index(site)].valid()) continue;

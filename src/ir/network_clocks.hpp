@@ -46,6 +46,7 @@ struct ProcessClocks {
     std::vector<std::vector<std::int64_t>> cap = {};
     std::vector<std::vector<bool>> bounded = {};  ///< true if the clock is bounded, per location and clock
     std::vector<std::int64_t> greatest = {};      ///< maximum cap per clock over all locations
+
     /// Greatest constant d of a comparison `clock >= d` before the next reset, per location and clock; 0 if there is no
     /// such comparison. A comparison `clock == d` is included in `lower` and in `upper`.
     std::vector<std::vector<std::int64_t>> lower = {};

@@ -5,11 +5,12 @@
 // of members has the same frame. Each constraint of the relaxation admits all clock values that the constraint of some
 // member admits. Upper bounds are maxima, lower bounds are minima, and `==` becomes an interval.
 //
-// Every run of a member is a run of the relaxation. The initial states are equal. An edge that a member can take has
-// the same guard and effect in the relaxation; its constraint and the invariant of its target admit the same clock
-// values or more. A delay that is possible in the member is possible in the relaxation: invariants admit the same
-// values or more, and urgent edges, which have no clock constraint, are enabled in the same states.
-// docs/explanation/parameters.md states and proves which verdicts on the relaxation are also verdicts on its members.
+// Every run of a member is a run of the relaxation. A member and the relaxation have the same initial state. An edge
+// that a member can take has the same guard and effect in the relaxation; its constraint and the invariant of its
+// target admit the same clock values or more. A delay that is possible in the member is possible in the relaxation:
+// invariants admit the same values or more, and urgent edges, which have no clock constraint, are enabled in the same
+// states. docs/explanation/parameters.md states and proves which verdicts on the relaxation are also verdicts on its
+// members.
 #pragma once
 
 #include <cstdint>
@@ -60,8 +61,8 @@ Relaxation relaxation_of(const Network& frame, const std::vector<const ClockCons
 Network network_of(const Network& frame, const ClockConstants& constants);
 Network network_of(const Network& frame, const Relaxation& relaxation);
 
-/// Static facts about the clocks of a network. These facts determine which verdicts on a relaxation are also verdicts
-/// on its members.
+/// Static facts about the clocks of a network, which determine which verdicts on a relaxation are also verdicts on its
+/// members.
 class ClockFacts {
 public:
     explicit ClockFacts(const Network& network);
@@ -74,12 +75,13 @@ public:
     /// True if each edge that is enabled for all sufficiently large clock values in the relaxation is also enabled for
     /// all sufficiently large clock values in this member. Only edges of locations without an invariant are considered.
     bool keeps_edges_of(const ClockFacts& relaxation) const;
-    /// True if a clock constraint is strict.
+    /// True if the network contains a strict clock constraint.
     bool strict() const { return strict_; }
 
 private:
     struct EdgeFacts {
         std::uint64_t frees = 0;  ///< bounds of the source invariant that the edge releases (see EdgeTiming::frees)
+
         /// True if the source has no invariant and the edge is enabled for all sufficiently large values of all clocks.
         bool at_last = false;
     };

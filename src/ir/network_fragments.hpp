@@ -31,10 +31,11 @@ struct NetworkFragments {
 
     std::uint32_t count = 0;
     std::vector<std::uint32_t> of_process = {};  ///< fragment per process; `none` for the process of a PLC
+
     /// Fragment per variable; `none` if the variable does not belong to a fragment.
     std::vector<std::uint32_t> of_variable = {};
-    std::vector<std::string> names = {};  ///< name per fragment: its partial chart, controller or first instance
-    std::vector<Resting> resting = {};    ///< per variable; invalid if `process` equals none
+    std::vector<std::string> names = {};  ///< per fragment: name of its partial chart, controller or first instance
+    std::vector<Resting> resting = {};    ///< per variable; valid only if `process` differs from `none`
 };
 
 /// Computes the fragments of `network`. Requires that `network` is expanded.
@@ -49,6 +50,7 @@ struct LocalAblations {
     bool steady = false;     ///< true: free variables keep their initial values
     bool break_off = false;  ///< true: model errors in a fragment, and unexplored fragments, are ignored
     bool unproven = false;   ///< true: properties of other fragments are assumed before they are proved
+
     /// Not a premise. If true, each auxiliary variable of a PLC that reads free variables, such as a timer request, has
     /// an arbitrary value. If false, this coarser abstraction is used only for edges that read many free variables.
     bool joint = false;

@@ -8,33 +8,33 @@
 // an observer or another process can also read an instance. The abstraction represents each process that is not a PLC
 // at one of four levels:
 //
-//   Chosen    the location, clocks and outputs of the instance are not stored. Each sampling by a PLC chooses one of
-//             the reachable output valuations of the instance, independently of earlier samplings. All outputs of an
-//             instance are chosen jointly, so a selector never has two positions.
-//   Untimed   the location and outputs of the process are stored, and its clocks are ignored. Urgent edges remain
-//             urgent. An edge with a clock constraint may be taken at any time; such an edge is never urgent.
-//   Paced     for autonomous instances only: upper bounds of clocks are ignored, and each lower bound is replaced by
-//             one time unit of the search, so that the instance does not change twice within one instant.
-//   Complete  the process is unchanged.
+//   Chosen: The location, clocks and outputs of the instance are not stored. Each sampling by a PLC chooses one of the
+//     reachable output valuations of the instance, independently of earlier samplings. All outputs of an instance are
+//     chosen jointly, so a selector never has two positions.
+//   Untimed: The location and outputs of the process are stored, and its clocks are ignored. Urgent edges remain
+//     urgent. An edge with a clock constraint may be taken at any time; such an edge is never urgent.
+//   Paced (for autonomous instances only): Upper bounds of clocks are ignored, and each lower bound is replaced by one
+//     time unit of the search, so that the instance does not change twice within one instant.
+//   Complete: The process is unchanged.
 //
 // Let N be the network and A the abstraction. Ignore the locations, clocks and outputs of the Chosen instances, the
 // clocks of the Untimed and Paced processes, and EVOL_PL. Then each run of N is a run of A with the same delays, for
 // the following reasons:
-//   - an edge of a Chosen instance does not correspond to a move of A. If N begins a cycle because of an edge of a
+//   - An edge of a Chosen instance does not correspond to a move of A. If N begins a cycle because of an edge of a
 //     Chosen instance (EVOL_PL), A takes the additional edge of the PLC, which can begin a cycle at any time in
 //     location W. The values that N samples in this cycle are one of the valuations of A, because A has every valuation
 //     that the instance can reach for arbitrary values of the other variables.
-//   - a PLC cycle of A is never more urgent than in N: the additional edge is not urgent, and all other edges of the
+//   - A PLC cycle of A is never more urgent than in N: the additional edge is not urgent, and all other edges of the
 //     PLC have the same guard as in N.
-//   - an edge of an Untimed or Paced process has the same guard as in N, over the same values (a process that a stored
+//   - An edge of an Untimed or Paced process has the same guard as in N, over the same values (a process that a stored
 //     process reads is also stored). The clock constraints of the edge in A permit every delay that they permit in N.
 //     An urgent edge has no clock constraint and keeps the invariant of its target (see verify). Therefore an urgent
 //     edge is enabled in A only if it is enabled in N, and time can pass in A whenever it can pass in N.
-//   - if N is quiescent, A is quiescent: the condition of quiescence of A omits only the conjuncts that read a Chosen
+//   - If N is quiescent, A is quiescent: the condition of quiescence of A omits only the conjuncts that read a Chosen
 //     instance.
 // Therefore, if an `always`, `never` or `exactly one of` property holds in A, the property holds in N. A `reachable`
-// property that is violated in A is violated in N. Both statements are also true with `at stable`. A run of A is not
-// necessarily a run of N.
+// property that is violated in A is violated in N. Both conclusions, from A to N, also apply with
+// `at stable`. A run of A is not necessarily a run of N.
 //
 // `no timelock` and `no deadlock` need other arguments, in which the abstracted instances do not move
 // (docs/explanation/input-abstraction.md, "No timelock, no deadlock"); see ChoiceLifetime.
@@ -55,23 +55,28 @@ enum class InputLevel : std::uint8_t { Chosen, Untimed, Paced, Complete };
 struct InputAblations {
     bool no_cycle_on_change = false;  ///< a change of a Chosen instance does not begin a cycle
     bool initial_values = false;      ///< Chosen instances keep their initial outputs
+
     /// A process that reads a Chosen instance always reads the initial outputs of this instance.
     bool ignore_readers = false;
     bool ignore_readings = false;  ///< all previous values are dead (ir/network/dead_values.hpp)
+
     /// Valuations are computed for the initial values of other variables instead of arbitrary values.
     bool own_guards_only = false;
     bool all_can_rest = false;  ///< instances with invariants or urgent edges are abstracted as if they need not move
     bool keep_quiescence = false;   ///< the condition of quiescence of the abstraction still reads Chosen instances
     bool urgent_on_clocks = false;  ///< edges of Untimed processes with a clock constraint become urgent
+
     // Premises of lets_time_pass (check/inputs/resting.hpp):
     bool ignore_bounds = false, ignore_outputs = false, ignore_moves = false;
     bool ignore_evolutions = false;  ///< evolutions of a PLC need not end
     bool search_evolutions = false;  ///< not a premise: a search proves that evolutions end, instead of evolutions_end
+
     // Premises of PossibleProof (check/inputs/possible.hpp):
     bool one_bound = false;         ///< rule 3 of possible.hpp is applied to only one bound of an invariant
     bool any_edge = false;          ///< edges in the rules of possible.hpp need not be possible for all clock values
     bool need_not_return = false;   ///< panel instances (possible.hpp) need not be able to return
     bool need_not_diverge = false;  ///< the proof does not require that time diverges
+
     // Premises of prove_response (check/inputs/response.hpp):
     bool need_not_take_time = false;  ///< runs with infinitely many moves in bounded time are permitted
     bool round_inward = false;  ///< clock bounds of observers are rounded to stronger bounds instead of weaker bounds
@@ -81,6 +86,7 @@ struct InputAblations {
 struct AbstractableProcess {
     Id<Network::Process> process = {};
     std::vector<Id<Network::Variable>> outputs = {};  ///< outputs that the process writes, without flags
+
     /// Reachable valuations of the outputs for arbitrary clock values: each row has one value per output. If empty,
     /// `Chosen` is not available.
     std::vector<std::vector<std::int64_t>> valuations = {};
@@ -90,6 +96,7 @@ struct AbstractableProcess {
     /// True if the process has no invariant and no urgent edge, so that it can remain in each location forever.
     bool can_rest = false;
     bool lively = false;  ///< true if the process is autonomous, `can_rest`, and can always move again after some time
+
     /// True if the process is autonomous, `can_rest`, and can always return to its initial state by edges whose clock
     /// constraints are only lower bounds.
     bool returns = false;
@@ -118,6 +125,7 @@ struct InputChoice {
     std::vector<Id<Network::Variable>> variables = {};
     std::vector<std::vector<std::int64_t>> valuations = {};
     bool kept = false;  ///< true if the set of possible valuations is part of the state
+
     /// True if the set remains unchanged between cycles until time passes (see ChoiceLifetime).
     bool until_delay = false;
     /// If valid: all valuations become possible again when this flag of the PLC becomes true.
@@ -127,9 +135,9 @@ struct InputChoice {
 };
 
 /// Defines how long a chosen valuation remains the input of a PLC. With `Cycle`, the valuation remains until the cycle
-/// of the PLC ends. With `Instant`, it remains until time passes or the instance moves, so that the abstraction has the
-/// same urgent edges as the loop while the instances do not move. With `Evolution`, it remains until the PLC is stable
-/// or an instance moves; clocks are ignored, and urgent edges of timers remain urgent.
+/// of the PLC ends. With `Instant`, the valuation remains until time passes or the instance moves, so that the
+/// abstraction has the same urgent edges as the loop while the instances do not move. With `Evolution`, the valuation
+/// remains until the PLC is stable or an instance moves; clocks are ignored, and urgent edges of timers remain urgent.
 enum class ChoiceLifetime : std::uint8_t { Cycle, Instant, Evolution };
 
 struct InputAbstraction {
@@ -137,6 +145,7 @@ struct InputAbstraction {
     Network network = {};
     std::vector<InputChoice> choices = {};
     std::vector<Id<Network::Process>> paced = {};  ///< Paced instances, as argument of in_longest_unit
+
     /// Untimed timers. A search may restrict these timers: it takes their non-urgent edges only while their PLC waits.
     /// If only the PLC and its timers read the timers, the restriction changes no reachable state except in EVOL_TI.
     std::vector<Id<Network::Process>> deferred = {};

@@ -24,6 +24,7 @@ struct NetworkSubsystems {
     std::uint32_t count = 0;                      ///< number of parts, which are ordered by their first process
     std::vector<std::uint32_t> of_process = {};   ///< part of each process
     std::vector<std::uint32_t> of_variable = {};  ///< part of each variable; `none`: the variable has no part
+
     /// For each part: the conjuncts of Network::settled that read only this part. `settled` is empty if
     /// Network::settled is invalid or one of its conjuncts reads several parts.
     std::vector<std::vector<Id<Expr>>> settled = {};

@@ -2,7 +2,7 @@
 // Vacuity probes: additional `reachable` properties. Probes are added to a model before the model is checked, but not
 // before it is written to a file. If a probe is violated, the associated property holds vacuously, and the `text` of
 // the probe states the reason. The name of a probe, such as `NAME.(premise)`, consists of the name of the associated
-// property and the type of the probe. A property in the input language cannot have such a name.
+// property and the type of the probe. A property in the input language cannot have the name of a probe.
 #pragma once
 
 #include <string>

@@ -23,8 +23,9 @@ struct Deviation {
     std::string output = {};    ///< name of the output in the chart
     std::int64_t recorded = 0;  ///< value in the recording
     std::int64_t allowed = 0;   ///< value that the chart writes with this timing
-    /// True: the chart changes the output, but the recording does not; false: the recording changes the output, but the
-    /// chart does not.
+
+    /// True: the output changes in the chart, but not in the recording; false: the output changes in the recording, but
+    /// not in the chart.
     bool missing_change = false;
     std::string situation = {};  ///< active steps, such as `{2, 5}`
 
@@ -32,7 +33,7 @@ struct Deviation {
 };
 
 /// Offset of the clock of a data source: the difference between the recorded times of some columns and those of the
-/// other columns. If the offset is positive, this clock is ahead.
+/// other columns. If the offset is positive, the clock of the data source is ahead of the clock of the other columns.
 struct ClockOffset {
     std::vector<std::string> columns = {};  ///< the columns of the log with times of this clock
     std::int64_t bound_us = 0;              ///< maximum absolute value of the offset (`--skew`)
@@ -47,10 +48,12 @@ struct RecordingVerdict {
     Kind kind = Kind::Conforms;
     std::string reason = {};                  ///< reason for the result Unknown
     std::optional<Deviation> deviation = {};  ///< valid only for the result Deviates
+
     /// Run of the chart with one timing. For Deviates, this is the timing of `deviation`; otherwise, it is a timing
     /// that is admissible for the samples that were read. If there is no such timing, the run has no events.
     ChartRun run = {};
     bool run_is_complete = true;  ///< true if `run` begins at power-on; false if `run` contains only the last instants
+
     /// Offset of each clock of `--skew` that concerns the chart. No other offset explains the recording. For Deviates,
     /// the range applies to the timing of `deviation`. Empty for Unknown.
     std::vector<ClockOffset> offsets = {};

@@ -32,7 +32,7 @@ Sort Sorts::operator()(Id<Expr> term) {
 
 bool Sorts::check(Id<Expr> term, Sort wanted, const std::string& what, std::vector<std::string>& faults) {
     if (!exprs_->contains(term)) faults.push_back(what + " is missing");
-    else if (const Sort found = (*this)(term); found == Sort::None) faults.push_back(what + " is wrongly typed inside");
+    else if (const Sort found = (*this)(term); found == Sort::None) faults.push_back(what + " contains a type error");
     else if (found != wanted) faults.push_back(what + " is not " + std::string(described(wanted)));
     else return true;
     return false;

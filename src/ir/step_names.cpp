@@ -12,7 +12,7 @@ std::string step_variable_name(const Network& network, Id<Network::Variable> var
         if (step == controller.words.steps.end()) continue;
         return (network.controllers.size() == 1 ? "" : controller.words.name + ".") + step->name.variable();
     }
-    return network.variables[variable].name;  // a network without a controller was not built by `compose`
+    return network.variables[variable].name;  // reached only if `compose` did not build the network
 }
 
 }  // namespace grafverif

@@ -45,7 +45,7 @@ std::vector<Id<FlatSystem::Variable>> variables_in_complete(const FlatSystem& pa
     std::vector<Id<FlatSystem::Variable>> found;
     std::uint32_t next = 0;
     for (const FlatSystem::Variable& variable : part.variables) {
-        while (whole.variables[{next}].name != variable.name) ++next;  // skip omitted variables; the order is unchanged
+        while (whole.variables[{next}].name != variable.name) ++next;  // skips omitted variables
         found.push_back({next++});
     }
     return found;

@@ -27,7 +27,7 @@ Sorts sorts_in(const Exprs& exprs, const System::Module& module) {
 void check_member(const System& system, bool in_main, const System::Symbol& symbol, const System::MemberSymbol& member,
                   Faults& faults) {
     const std::string where = "`" + symbol.name + "`";
-    if (!in_main) return faults.push_back(where + " belongs to an instance, outside main");
+    if (!in_main) return faults.push_back(where + " refers to a symbol of an instance, but is not in main");
     if (!system.instances.contains(member.instance)) return faults.push_back(where + " names no instance");
     const Id<System::Module> module = system.instances[member.instance].module;
     if (!system.modules.contains(module) || !system.modules[module].symbols.contains(member.symbol))

@@ -49,8 +49,9 @@ struct Tuning {
         Span origin = {};
         PointVerdict current = {};                ///< the verdict for the current values
         std::vector<PointVerdict> verdicts = {};  ///< verdict at each point of the grid
+
         /// For some points at which the property is violated: the result with the run that violates it. The property
-        /// and the charts of the run are those of the point.
+        /// and the charts of a run are those of the model at its point.
         std::map<std::size_t, PropertyResult> runs = {};
     };
 

@@ -174,8 +174,8 @@ Json Session::rename(const Json& params) {
     if (element->file->is_renamable) {
         const auto file = workspace_.parsed(element->file->path);
         const std::uint32_t begin = element->where.begin;
-        // The names are looked up again for the file of the declaration: they include the names of all files that
-        // include that file.
+        // The names are determined again for the file that contains the declaration, because the result includes the
+        // names of all files that include this file.
         const Use* const declared = names(file->path).use_at(*file, begin);
         element = declared == nullptr ? nullptr : declared->element;
     }

@@ -105,6 +105,7 @@ private:
     std::deque<Declaration> elements_ = {};
     std::map<Site, Declaration*> sites_ = {};
     std::map<const Declaration*, std::vector<const Declaration*>> parts_ = {};  ///< elements by owner, sorted by name
+
     /// Union-find forest of the elements that must have a common name.
     std::map<const Declaration*, const Declaration*> shared_ = {};
     std::map<const Parsed*, std::vector<Use>> uses_ = {};

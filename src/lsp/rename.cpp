@@ -110,8 +110,8 @@ std::unique_ptr<const Names> names_of(Workspace& workspace, const std::vector<st
         }
     }
     // The recordings of texts without errors are last, because `use_at` prefers the last recording. For example, a file
-    // with a closed loop may not include the charts of its controllers. In this case, only a file that includes both
-    // the loop and the charts has no errors.
+    // with a closed loop may not include the charts of its controllers; then only a file that includes both the loop
+    // and the charts has no errors.
     std::vector<Recording> ordered;
     for (const bool erroneous : {true, false})
         for (std::size_t k = 0; k < roots.size(); ++k)

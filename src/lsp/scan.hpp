@@ -34,6 +34,7 @@ bool is_name(std::string_view word, bool numbers);
 struct IncompleteDeclaration {
     std::vector<std::vector<std::string>> blocks = {};  ///< the tokens before each open `{`
     std::vector<std::string> words = {};  ///< tokens after the last `;` or brace, except the token at the cursor
+
     /// True if the cursor is in a comment or a string; completion then proposes nothing.
     bool in_text = false;
 };

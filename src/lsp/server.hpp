@@ -29,6 +29,7 @@ struct ServerEnvironment {
     std::string version = {};
     std::vector<std::string> include_folders = {};
     std::vector<std::string> within = {};  ///< folders to which reading is restricted; unrestricted if empty
+
     /// Returns true if the client's process exists; called periodically.
     std::function<bool(std::int64_t process)> is_alive = {};
     /// Time limit for the check of a loop or the analysis of a chart; unlimited if empty.

@@ -59,7 +59,7 @@ private:
         std::shared_ptr<const Parsed> file = {};
         const Names* names = nullptr;
         const Declaration* element = nullptr;  ///< the element at the position, or null
-        Span where = {};                       ///< position of its name; includes the `X` of a step variable
+        Span where = {};                       ///< position of the element's name; includes the `X` of a step variable
     };
     static Json feature_capabilities();
     std::shared_ptr<const Parsed> parsed(const Json& params);

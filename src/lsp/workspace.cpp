@@ -17,6 +17,7 @@ namespace grafverif::lsp {
 namespace {
 
 constexpr std::size_t most_entries = 20'000;  ///< maximum number of files and folders to visit in the workspace
+
 /// Maximum size in bytes of a file that is not open and is searched for includes of open documents; larger files are
 /// ignored.
 constexpr std::size_t largest_scanned = 4U << 20U;

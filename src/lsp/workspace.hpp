@@ -68,7 +68,8 @@ public:
     /// Adds a folder to search for files that include open documents.
     void add_folder(const std::string& path) { folders_.push_back(path), scanned_ = false; }
 
-    /// Opens a document. If the allocation of its text fails, the document is open, but `out_of_step` is true.
+    /// Opens a document. If the memory for the text of the document cannot be allocated, the document is open, but
+    /// `out_of_step` is true.
     void open(const std::string& uri, std::int64_t version, const std::string& text);
     void change(const std::string& uri, std::int64_t version, const std::vector<Change>& changes);
     void close(const std::string& uri);
@@ -81,8 +82,8 @@ public:
     std::string shown(const std::string& path) const;
     std::vector<OpenText> open_texts() const;
 
-    /// True if files on the disk have changed since they were read. In this case, the function discards the stored
-    /// texts, so that the files are read again.
+    /// True if files on the disk have changed since they were read. If files have changed, the function discards the
+    /// stored texts, so that the files are read again.
     bool refresh();
     /// Returns the text of a file, or null if it does not exist.
     std::shared_ptr<const Text> text(const std::string& path);
@@ -111,6 +112,7 @@ private:
     FileWatcher watch_ = {};
     std::map<std::string, std::shared_ptr<const Text>> disk_ = {};  ///< texts by path; null if the file cannot be read
     std::map<std::string, std::shared_ptr<const Parsed>> parsed_ = {};  ///< parsed files by path
+
     /// Paths of the files in the folders of the workspace.
     std::vector<std::string> files_ = {};
     bool scanned_ = false, cut_short_ = false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Implements four tools. `check` returns verdicts. `explain` returns the verdict and the counterexample of one property
-// as text and as data. `tune` and `faults` return verdicts for variants of a closed loop. Each of these tools converts
-// the JSON output of a command.
+// Implements the tools `check`, `explain`, `tune` and `faults`. `check` returns verdicts. `explain` returns the verdict
+// and the counterexample of one property as text and as data. `tune` and `faults` return verdicts for variants of a
+// closed loop. Each of these tools converts the JSON output of a command.
 #include <fmt/format.h>
 
 #include <algorithm>

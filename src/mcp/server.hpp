@@ -44,6 +44,7 @@ struct ServerEnvironment {
     std::int64_t longest_call_s = 600;                  ///< maximum value of the argument `timeout`, in seconds
     std::int64_t largest_call_mib = 8192;               ///< maximum value of the argument `max_memory`, in MiB
     std::chrono::milliseconds progress_interval{1000};  ///< interval between progress notifications of a call
+
     /// Executes a command. Several threads call the function simultaneously. The function may throw std::system_error.
     std::function<ProgramResult(const CommandRun& run)> execute = {};
     /// Reserves memory for the report of the next failed allocation. If the function is empty, no memory is reserved.

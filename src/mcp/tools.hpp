@@ -18,6 +18,7 @@ struct Tool {
     std::string name = {}, title = {}, description = {};
     std::vector<Argument> arguments = {};
     Json output_schema = {};  ///< schema of ToolResult::data; null if the tool has no data
+
     /// Executes a call with checked arguments. Throws CallError if the call fails.
     ToolResult (*run)(ToolCall& call) = nullptr;
 };

@@ -1,44 +1,44 @@
 // SPDX-License-Identifier: MIT
 // Writes the data of the page's script: one JSON document, in the element `data`.
 //
-//   version     version of the format: 1
-//   charts      per controller, in order: `figure` (the id of the element around the drawing), `ids` (of the drawing's
-//               elements, see ElementIds: `steps`, `transitions`, `conditions`, `continuous`, `stored`, `forcing`), and
-//               the chart as in page/terms.hpp: `name`, `steps`, `transitions` (`name`, `from`, `condition`), `timed`,
-//               `terms`, `ownerOfAction`, `ownerOfForcing`. Lists are in the order of the chart's tables.
-//               A PLC program has no conditions; it has the additional member `program`:
-//     listing     the id of the element that contains the lines of the program
-//     code        the lines with values: `[line, unit]`; lines are counted from 0
-//     units       the names of the units of the program
-//     instances   the instances of its function blocks: `name`, `unit`; the name of the program itself is empty
-//     steps       for each step of the chart, its `line`, or null, and its `instance`
-//     transitions for each transition of the chart, the line of its condition
-//     points      the values of the lines: `line`; `order` on the line; `instance`, or null in a function; `role`
-//                 (`read`, `condition`, `result`, `executed`); `name` of the variable, or empty; `format`: `boolean`,
-//                 `time` (in ms), a list of the names of the values, or null for a number
-//   properties  the properties of the loop, see page/terms.hpp: `name`, `pattern`, `at_stable`, `operands`, `terms`
-//   plant       per instance, by name, the id of the figure with the drawing of its component
-//   runs        the runs that the page can play, each with these members:
-//     name        name in addresses: `#NAME/INDEX`; INDEX is a row, or `ROW+MOVES` for a state between two rows
-//     kind        `counterexample`, `witness`, `evidence`, `breakdown`, `test`, `recording`
-//     title       display text
-//     property    index of its property in `properties`, or null
-//     charts      for each controller of the run, the index of its chart in `charts`
-//     conditions  for each controller of the run and each time condition of its chart, the index of the timer in the
-//                 list of timers of the controller, or null
-//     scans       for each controller of the run: the scans of its program, or null. A scan is `[moment, changes]`.
-//                 Each change is `[point, value]`, or `[point, value, count]` if the point was evaluated several times;
-//                 the value is null if the scan did not evaluate the point. A point without a change has the same value
-//                 as in the previous scan
-//     initial     for each instance, by name, the index of its initial location, if known
-//     end         the text shown at the end of the run; may be empty
-//     violation   how the run violates a sentence that an observer checks, or null: `moment` is the event from which on
-//                 the sentence fails, and each of `steps` has `words` and its `moment`, or null
-//     inside      the moments after which there is no state of the model: if the run shows one step of the model as
-//                 several moments, only the state after the last of these moments is a state of the model
-//     run         the run (docs/reference/trace-format.md) without moves of observers; each of `rows` has the display
-//                 text as `moment`, `words`, `cleared` and `shown` (false: included in the next row);
-//                 `loop_from` is the index of the first row that repeats forever, or null
+//   `version`: Version of the format: 1.
+//   `charts`: Per controller, in order, an object with these members: `figure` is the id of the element around the
+//     drawing. `ids` are the ids of the elements of the drawing (see ElementIds): `steps`, `transitions`, `conditions`,
+//     `continuous`, `stored`, `forcing`. The other members represent the chart as in page/terms.hpp: `name`, `steps`,
+//     `transitions` (`name`, `from`, `condition`), `timed`, `terms`, `ownerOfAction`, `ownerOfForcing`. Lists are in
+//     the order of the tables of the chart. A PLC program has no conditions; the additional member `program` contains:
+//     `listing`: The id of the element that contains the lines of the program.
+//     `code`: The lines with values: `[line, unit]`; lines are counted from 0.
+//     `units`: The names of the units of the program.
+//     `instances`: `name` and `unit` of each function block instance; the name of the program itself is empty.
+//     `steps`: For each step of the chart, its `line`, or null, and its `instance`.
+//     `transitions`: For each transition of the chart, the line of its condition.
+//     `points`: The values of the lines: `line`; `order` on the line; `instance`, or null in a function; `role`
+//       (`read`, `condition`, `result`, `executed`); `name` of the variable, or empty; `format`: `boolean`, `time` (in
+//       ms), a list of the names of the values, or null for a number.
+//   `properties`: The properties of the loop (page/terms.hpp): `name`, `pattern`, `at_stable`, `operands`, `terms`.
+//   `plant`: For each instance, by name, the id of the figure with the drawing of its component.
+//   `runs`: The runs that the page can play, each with these members:
+//     `name`: Name in addresses: `#NAME/INDEX`. INDEX is a row, or `ROW+MOVES` for a state between two rows.
+//     `kind`: `counterexample`, `witness`, `evidence`, `breakdown`, `test` or `recording`.
+//     `title`: Display text.
+//     `property`: Index of the property of the run in `properties`, or null.
+//     `charts`: For each controller of the run, the index of its chart in the list of charts.
+//     `conditions`: For each controller of the run and each time condition of its chart, the index of the timer in the
+//       list of timers of the controller, or null.
+//     `scans`: For each controller of the run, the scans of its program, or null. A scan is `[moment, changes]`. Each
+//       change is `[point, value]`, or `[point, value, count]` if the point was evaluated several times. The value is
+//       null if the scan did not evaluate the point. A point without a change has the same value as in the previous
+//       scan.
+//     `initial`: For each instance, by name, the index of its initial location, if known.
+//     `end`: The text shown at the end of the run; may be empty.
+//     `violation`: How the run violates a sentence that an observer checks, or null. `moment` is the event after which
+//       the sentence fails, and each of `steps` has `words` and its `moment`, or null.
+//     `inside`: The moments after which there is no state of the model. If the run shows one step of the model as
+//       several moments, only the state after the last of these moments is a state of the model.
+//     `run`: The run (docs/reference/trace-format.md) without moves of observers. Each of `rows` has the display text
+//       as `moment`, `words`, `cleared` and `shown` (false: included in the next row). `loop_from` is the index of the
+//       first row that repeats forever, or null.
 #pragma once
 
 #include <map>
@@ -56,15 +56,17 @@ struct Playable {
     std::string property = {};  ///< name of a property of the loop; may be empty
     const ChartRun* run = nullptr;
     std::vector<std::size_t> charts = {};  ///< index of the chart of each controller of the run
+
     /// Indices of the initial locations of instances, by name of the instance, if they differ from the model; empty if
     /// unknown.
     std::map<std::string, std::optional<std::size_t>> initial = {};
-    /// Model of the run if it is not the model of the page. Both models have the same controllers and the same elements
-    /// in their charts; conditions, properties and instances may differ.
+    /// Model of the run if it is not the model of the page. The model of the run and the model of the page have the
+    /// same controllers and the same elements in their charts; conditions, properties and instances may differ.
     const Model* model = nullptr;
 };
 /// Maximum total length of the runs on a page. The length is limited, because browsers are slow with large pages.
 inline constexpr std::size_t longest_playable = 100'000;  // total number of events of all runs
+
 /// Maximum number of scans and of changes of values of statements on a page.
 inline constexpr std::size_t most_points = 1'000'000;
 /// True if the page may contain the run. For other runs, the page states only their length.
@@ -95,7 +97,7 @@ inline std::string component_figure(Id<Component> component) { return "component
 /// Returns the name of a finding's run in addresses: `step-never-active:X4`.
 std::string evidence_name(const PageContent& content, const Analysis& analysis, const Finding& finding);
 
-/// Returns the JSON document as the text of a script element. In this text, `<` is escaped.
+/// Returns the JSON document as the text of a script element, in which each `<` is escaped.
 std::string page_data(const PageContent& content);
 
 }  // namespace grafverif

@@ -217,6 +217,7 @@ private:
     const Program& program_;
     Id<Source> source_;
     Id<Program::Unit> unit_ = {};  ///< the unit that owns the frame of the current body
+
     /// Transition of each statement that tests a transition condition.
     std::map<std::uint32_t, const Program::Sequence::Transition*> tests_ = {};
     bool printed_ = false;

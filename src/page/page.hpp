@@ -70,20 +70,22 @@ struct PageContent {
     Report report = {};
     std::vector<Trial> trials = {};                      ///< trials of remedies, if a limit ended the check
     std::optional<CertificateSummary> certificate = {};  ///< certificate of the verdicts of `report`, if requested
+
     /// If the page is about a single chart: runs of its test sequences.
     std::vector<ChartRun> tests = {};
-    /// If present, the page shows these results instead of the verdicts of `report`.
+    /// Fault analysis. If present, the page shows its results instead of the verdicts of `report`.
     std::optional<FaultAnalysis> faults = {};
-    /// If present, the page shows these results instead of the verdicts of `report`.
+    /// Verdicts for several values of constants. If present, the page shows them instead of the verdicts of `report`.
     std::optional<Tuning> tuning = {};
     std::map<std::size_t, Model> point_models = {};  ///< models at those points of `tuning` that have runs
-    /// If present, the page shows these results instead of the verdicts of `report`. `charts` contains the charts of
-    /// the verdicts on the recording, in order.
+
+    /// Verdicts on a recording. If present, the page shows them instead of the verdicts of `report`. `charts` contains
+    /// the charts of the verdicts on the recording, in order.
     std::optional<RecordingReport> recording = {};
     std::string warnings = {};  ///< warnings about the file, as text
 };
 
-/// Returns the chart to be drawn. For a PLC program, this is the chart with the transitions and actions of its
+/// Returns the chart to be drawn. For a PLC program, the result is the chart with the transitions and actions of its
 /// Sequential Function Chart.
 inline const Chart& drawn_chart(const PageContent& content, const ChartContent& one) {
     return one.program ? one.program->drawn : content.model.charts[one.chart];

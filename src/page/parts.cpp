@@ -110,7 +110,7 @@ void add_listing(const PageContent& content, const ChartContent& one, const std:
     const std::string file = content.sources[program.units[program.main].origin.source].name;
     html.open("details").put("summary",
                              fmt::format("{} ({})", file,
-                                         listing.begins.empty() ? "its statements in Structured Text"
+                                         listing.begins.empty() ? "statements in Structured Text"
                                                                 : counted(listing.lines.size(), "line", "lines")));
     // Starts with a line feed, because HTML parsers ignore a line feed at the beginning of `pre`.
     std::string text = "\n";

@@ -62,9 +62,10 @@ private:
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> known_ = {};
     std::vector<Point> points_ = {};
     std::size_t scan_ = 0;  ///< number of the current scan, from 1
+
     /// Value of each point; `before_` is the value at the end of the previous scan.
     std::vector<Value> values_ = {}, before_ = {};
-    std::vector<std::size_t> now_ = {}, earlier_ = {};  ///< points evaluated in this and in the previous scan
+    std::vector<std::size_t> now_ = {}, earlier_ = {};  ///< points evaluated in the current scan, in the previous scan
 };
 
 /// Adds the transitions of a program to a run, and to each of its scans the transitions that the scan clears. `drawn`

@@ -181,8 +181,8 @@ Named named(const Model& model, const ClosedLoop& loop, const ClosedLoop::Symbol
             },
             [&](const ClosedLoop::InternalSymbol& internal) -> Named {
                 const Chart& chart = chart_of(internal.controller);
-                // For a program, the node is the signal with this name and not an index, because a run of a program
-                // does not contain all internal variables.
+                // For a program, the node contains the name of the variable instead of its index, because a run of a
+                // program does not contain all internal variables.
                 if (chart.program)
                     return {{{"op", "signal"}, {"boolean", chart.variables[internal.variable].type.boolean}},
                             before(internal.controller) + chart.variables[internal.variable].name};

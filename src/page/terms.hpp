@@ -4,9 +4,10 @@
 //
 // A node is `{"op", "text", "boolean", "args"?, ...}`; `text` is the term in the notation of the file, possibly
 // shortened. The `op` of a leaf names its element. In a chart, `op` is `input`, `output`, `internal`, `step` or
-// `timed`; `place` is the index in the list of these elements of the controller. In a loop, these nodes also have the
-// member `controller`. Further values of `op` in a loop are `signal` (a signal of the plant, with its name in `text`)
-// and `location` (with `instance` and `location`). `unknown` is an element that runs do not contain.
+// `timed`; `place` is the index in the list of these elements of the controller. In a loop, nodes with one of the five
+// values of `op` above also have the member `controller`. Further values of `op` in a loop are `signal` (a signal of
+// the plant, with its name in `text`) and `location` (with `instance` and `location`). `unknown` is an element that
+// runs do not contain.
 #pragma once
 
 #include <functional>
@@ -41,9 +42,9 @@ private:
     nlohmann::ordered_json nodes_ = nlohmann::ordered_json::array();
 };
 
-/// Returns `{"name", "steps", "transitions", "timed", "terms", "ownerOfAction", "ownerOfForcing"}`. With these data,
-/// the page explains why a transition is cleared. `from` of a transition contains the steps that enable it, including
-/// exit steps.
+/// Returns `{"name", "steps", "transitions", "timed", "terms", "ownerOfAction", "ownerOfForcing"}`. From the returned
+/// data, the page explains why a transition is cleared. `from` of a transition contains the steps that enable it,
+/// including exit steps.
 nlohmann::ordered_json chart_json(const Chart& chart);
 
 /// Returns `{"name", "pattern", "at_stable", "operands", "terms"}`. For a property with a duration, a count or a scope,

@@ -140,7 +140,7 @@ ChartText text_in(const Chart& chart, const tree::File& file, std::string_view t
 
 ChartText text_of(const Model& model, Id<Chart> id, const Sources& sources) {
     const Chart& chart = model.charts[id];
-    if (!chart.instance_of.empty()) return {};  // an instance has other names than its source
+    if (!chart.instance_of.empty()) return {};  // the names in a chart instance differ from the names in its source
     if (!sources.contains(chart.origin.source)) return {};
     Sources copy;  // `read_any` may modify a source, so it receives a copy
     Diagnostics known;

@@ -40,6 +40,7 @@ struct LoopToCheck {
     const Network& network;
     std::vector<const Chart*> charts = {};
     bool disabled_corrections = false;  ///< true if runs of the network intentionally differ from runs of its charts
+
     /// Returns the declared duration that determines the time unit; called only for a state profile.
     std::function<std::optional<StateProfile::Finest>()> finest = {};
     StateProver prove = {};  ///< decides properties in abstractions of `network`; may be empty

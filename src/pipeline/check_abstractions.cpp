@@ -74,7 +74,7 @@ std::vector<Verdict> decided_by_abstractions(const SystemToCheck& check, const C
     }
     if (requested.empty()) return {};
     // Removes all properties that are not requested. Otherwise each search would also decide a declared `no timelock`,
-    // and its verdict would not be used.
+    // although the verdict would not be used.
     for (const Property& property : std::exchange(network.properties, {}))
         if (requested.contains(property.name)) network.properties.add(property);
     // Searches the complete network only briefly, because other engines search it completely.

@@ -169,7 +169,7 @@ bool is_reachable(const Exprs& exprs, const Property& property, std::uint32_t va
     return term.op == Op::Variable && term.value == variable;
 }
 
-/// True if `answer` is the verdict on the reachability of the step with this variable.
+/// True if `answer` is the verdict on the reachability of the step whose variable is `step`.
 bool is_about(const Network& network, const PropertyResult& answer, Id<Network::Variable> step) {
     const Property& property = network.properties[answer.verdict.about];
     if (property.pattern == Pattern::ReachableAllSteps)

@@ -31,7 +31,8 @@ using PropertyChecker = std::function<std::vector<Verdict>(const Network& networ
 void explain(const Network& network, const std::vector<Violation>& violations, const PropertyChecker& search,
              const Limits& limits, Report& report);
 
-/// Adds explanations to `answer`, the result for a property of an untimed model. `run` is its counterexample.
+/// Adds explanations to `answer`, the result for a property of an untimed model. `run` is the counterexample to this
+/// property.
 void explain(const SystemToCheck& check, const SystemRun& run, const Limits& limits, PropertyResult& answer);
 
 /// Returns the deadline of a search for explanations, after a search that took `seconds`. The deadline is two seconds
@@ -46,8 +47,8 @@ void explain_dead_steps(const Network& network, const std::vector<const Chart*>&
 /// `explanation_deadline`.
 void explain_dead_steps(const SystemToCheck& check, const Limits& limits, Report& report);
 
-/// Explains the result `answer`, which states that `chart` does not become stable. Adds the explanations to the trace
-/// of `answer`, if it has one.
+/// Explains the result `answer`, which states that `chart` does not become stable. If `answer` has a trace, adds the
+/// explanations to the trace.
 void explain(const Chart& chart, ExecutionMode mode, const Limits& limits, PropertyResult& answer);
 
 }  // namespace grafverif

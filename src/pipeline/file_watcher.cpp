@@ -30,9 +30,9 @@ FileWatcher::FileStamp FileWatcher::stamp(const std::string& path) {
 
 void FileWatcher::note(const std::string& path) { note(std::vector{path}); }
 
-/// Records the time stamps of the files. If a file is written twice within a short time, both writes can give the same
-/// time stamp. Therefore, if a file was changed less than 20 ms ago, the function waits (at most five times) and reads
-/// the time stamps again.
+/// Records the time stamps of the files. If a file is written twice within a short time, its time stamp can be the same
+/// after both writes. Therefore, if a file was changed less than 20 ms ago, the function waits (at most five times) and
+/// reads the time stamps again.
 void FileWatcher::note(const std::vector<std::string>& paths) {
     constexpr std::int64_t tick = 20'000'000;
     std::vector<FileStamp> seen(paths.size());

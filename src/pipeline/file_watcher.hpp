@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// File watcher: detects changes of files after they were read. It compares the size, two times and the identity of each
-// file. Therefore it detects that a file is written in place, replaced by another file with the same name, deleted, or
-// restored. The two times are the modification time and the time of the last status change (`ctime`): programs can set
-// back the modification time, but not `ctime`.
+// File watcher: detects changes of files after they were read. The watcher compares the size, two times and the
+// identity of each file. Therefore the watcher detects that a file is written in place, replaced by another file with
+// the same name, deleted, or restored. The two times are the modification time and the time of the last status change
+// (`ctime`): programs can set back the modification time, but not `ctime`.
 #pragma once
 
 #include <array>

@@ -30,8 +30,8 @@ std::string reason(int error) {
     return std::generic_category().message(error);
 }
 
-/// Returns a text for messages that states the type of a file, for example `it is a folder`. The file is not a regular
-/// file.
+/// Returns a text for messages that states the type of a file, for example `the path is a folder`. Requires that the
+/// file is not a regular file.
 std::string_view kind_of(mode_t mode) {
     if (S_ISDIR(mode)) return "the path is a folder";
     if (S_ISFIFO(mode)) return "the path is a pipe, not a file";

@@ -83,17 +83,17 @@ std::string operand_for(const std::filesystem::path& file);
 
 /// The files that source files may include: all files below the folder of the main file, below the folder of the
 /// project of the main file, and below folders given by the user. This restriction prevents a chart from reading
-/// arbitrary files. It does not depend on the current folder. The folder of the project is the nearest ancestor folder
-/// of the main file that contains `.git` or `grafverif.project`. A folder that cannot be resolved, for example because
-/// the main file is not on disk, permits no files.
+/// arbitrary files. The restriction does not depend on the current folder. The folder of the project is the nearest
+/// ancestor folder of the main file that contains `.git` or `grafverif.project`. A folder that cannot be resolved, for
+/// example because the main file is not on disk, permits no files.
 class Reach {
 public:
     /// `main` is the main file; `folders` are given by the user. Only files below the folders `within` may be included.
     Reach(const std::filesystem::path& main, const std::vector<std::string>& folders,
           PermittedFolders within = PermittedFolders());
 
-    /// Returns the content of the regular file at `path` if it may be included. If it may not be included or cannot be
-    /// read, the result is empty, and `why` has the reason.
+    /// Returns the content of the regular file at `path` if it may be included. If the file may not be included or
+    /// cannot be read, the result is empty, and `why` has the reason.
     std::optional<std::string> read(const std::string& path, std::string& why) const;
 
 private:

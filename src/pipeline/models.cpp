@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Derives Equations, Network and TransitionSystem from a Model. Only this file combines the passes that derive them.
+// Derives Equations, Network and TransitionSystem from a Model. Only this file combines the passes of these
+// derivations.
 #include "pipeline/models.hpp"
 
 #include <algorithm>
@@ -56,7 +57,7 @@ std::optional<Network> with_observers(const Network& plant_network, const Closed
     const auto network = compose(plant_network, loop, equations, {how.grain, how.mode, {}}, diagnostics);
     if (!network) return {};
     std::vector<Id<Property>> requested = watched(*network);
-    if (how.untimed.time == TimeModel::Abstract)  // clocks do not advance, so durations are not observed
+    if (how.untimed.time == TimeModel::Abstract)  // clocks do not advance, so observers with a duration are omitted
         std::erase_if(requested, [&](Id<Property> id) { return network->properties[id].watch.duration_ms > 0; });
     return observed(*network, requested, vacuity);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Functions that derive models and texts, for callers in grafverif itself. They are not part of the public API.
+// Functions that derive models and texts, for callers in grafverif itself. The functions are not part of the public
+// API.
 #pragma once
 
 #include <functional>

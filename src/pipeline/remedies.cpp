@@ -20,8 +20,8 @@ using Clock = std::chrono::steady_clock;
 
 /// Maximum number of properties that have a separate trial.
 constexpr std::size_t most_single = 3;
-/// Value of `--max-states` in the trial with more states. This trial is made only if the limit of the original check
-/// was lower.
+/// Value of `--max-states` in the trial with more states. The trial with more states is made only if the limit of the
+/// original check was lower.
 constexpr std::uint64_t more_states = std::uint64_t{1} << 20U;
 
 /// The options of a trial.

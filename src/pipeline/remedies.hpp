@@ -37,9 +37,9 @@ std::vector<Trial> tried_remedies(const LimitedCheck& check, const Report& repor
 /// Returns the part of the time of a check that is reserved for trials: a tenth of the time until `deadline`, and at
 /// most 6 s. Without a deadline, the result is zero.
 std::chrono::steady_clock::duration trial_time(const Deadline& deadline);
-/// Returns the time at which trials that begin now must end. This time is not later than `deadline`. The trials take at
-/// most `time` (see trial_time). If `time` is zero, they take at most a tenth of `used`, the duration of the check;
-/// this maximum is at least 2 s and at most 10 s.
+/// Returns the time at which trials that begin now must end. The result is not later than `deadline`. The trials take
+/// at most `time` (see trial_time). If `time` is zero, the trials take at most a tenth of `used`, the duration of the
+/// check; this maximum is at least 2 s and at most 10 s.
 Deadline end_of_trials(const Deadline& deadline, std::chrono::steady_clock::duration time,
                        std::chrono::steady_clock::duration used);
 

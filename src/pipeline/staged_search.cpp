@@ -59,7 +59,7 @@ StateProver prover_by_pdr(AbstractionTranslator system_of) {
         std::chrono::steady_clock::duration time = std::chrono::seconds(4);  // limit of the next attempt
         std::vector<pdr::NamedCube> pairs = {};  // invariants found so far, for later abstractions
     };
-    // Copies of the prover share the translator, because it stores equations.
+    // Copies of the prover share the translator, because the translator stores equations.
     return [system_of = std::make_shared<AbstractionTranslator>(std::move(system_of)),
             known = std::make_shared<Known>()](const ProofTask& task) -> Proof {
         if (known->no_fault && excludes_fault(element_of(task.abstraction.properties, task.property, &Property::name)))
@@ -112,7 +112,7 @@ StagedSearch::StagedSearch(const LoopToCheck& loop, const Observe& observe, cons
 }
 
 void StagedSearch::make_brief() {
-    // If the user has set a smaller bound, the search does not use input abstraction.
+    // If the limit of the user is not greater than the bound of the first search, input abstraction is not used.
     is_brief_ = options_.max_states > LocalizationLimits{}.whole;
     options_.max_states = std::min(options_.max_states, LocalizationLimits{}.whole);
 }

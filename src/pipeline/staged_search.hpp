@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Staged search of the timed engine: the steps by which the properties of one network are decided.
 //
-//   begin            a bounded search of the complete loop, then the first round of localization
-//   refine           rounds of localization and input abstraction, with growing bounds on states
-//   search_complete  a search of the complete loop for undecided properties
+//   begin: A bounded search of the complete loop, and then the first round of localization.
+//   refine: A round of localization and input abstraction; the bounds on states increase from round to round.
+//   search_complete: A search of the complete loop for undecided properties.
 //
 // A caller can interleave the steps of several searches that share one time limit.
 #pragma once
@@ -27,8 +27,8 @@ TimedOptions timed_options(const LoopToCheck& loop, const CheckOptions& options)
 
 /// Results of a search in addition to the verdicts on the requested properties.
 struct AdditionalResults {
-    /// Verdict on `no timelock` if it is not declared. Without it, a search for properties about single states needs
-    /// fewer states, and the store contains no edges.
+    /// Verdict on an undeclared `no timelock`. If this verdict is not requested, a search for properties about single
+    /// states needs fewer states, and the store contains no edges.
     bool timelock = true;
     bool profile = true;  ///< state profile of a large search
 };

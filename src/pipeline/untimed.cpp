@@ -107,7 +107,8 @@ std::string carried(const SystemToCheck& check, const Property& property, const 
 }  // namespace
 
 bool excludes_fault(const Property& property) {
-    // The name is not sufficient, because a model may declare a property with the same name.
+    // The name does not suffice to identify an implicit property, because a model may declare a property with the same
+    // name.
     const bool is_implicit = !property.origin.source.valid();
     return is_implicit && (property.name.starts_with("no_race") || property.name.starts_with("no_out_of_range"));
 }

@@ -26,8 +26,9 @@ struct Abstraction {
     std::string grain = {};  ///< grain of interleaving; empty if the model does not depend on it
     Preservation preservation = Preservation::Nowhere;
     bool constrained = false;  ///< true if the model assumes the declared constraints on inputs
-    /// True if only fair runs are considered. In this case, a verdict on a property of runs applies only to this model;
-    /// this does not affect verdicts on properties of states.
+
+    /// True if only fair runs are considered. If true, a verdict on a property of runs applies only to this model;
+    /// verdicts on properties of states are not affected.
     bool fair = false;
 };
 /// Returns the abstraction of the system that transition_system_of derives from `loop`, or from a chart if `loop` is
@@ -40,8 +41,8 @@ struct SystemToCheck {
     std::vector<const Chart*> charts = {};
     Abstraction abstraction = {};
     /// For interleaved plant automata, returns the expanded network from which the system was derived. For any other
-    /// system, the function or its result is empty. The function is called to explain a run. It computes the network
-    /// only once.
+    /// system, the function or its result is empty. The function is called to explain a run. The function computes the
+    /// network only once.
     std::function<const std::optional<Network>&()> network = {};
 };
 

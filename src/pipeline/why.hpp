@@ -20,8 +20,8 @@ ProofExplanation why_it_holds(const Model& model, Id<ClosedLoop> loop, const Mod
 /// Converts an element of a PLC program to an element of the explanation.
 ProofExplanation::ModelElement model_element(const ProgramElement& element);
 
-/// Sorts the elements by kind, and numbers elements with equal names. Names of statements at different positions are
-/// not equal.
+/// Sorts the elements by kind, and numbers elements with equal names. Statements are numbered only if their positions
+/// are also equal.
 void order_elements(ProofExplanation& why);
 
 }  // namespace grafverif

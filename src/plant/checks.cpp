@@ -17,7 +17,7 @@ namespace grafverif {
 
 namespace {
 
-/// Returns the value of a term that reads no variable, or nothing for any other term.
+/// Returns the value of a term that reads no variable; nullopt for any other term.
 std::optional<std::int64_t> constant_value(const Slots& slots, Id<Expr> root) {
     const Exprs& exprs = slots.network.exprs;
     for (const Id<Expr> leaf : leaves(exprs, root))
@@ -36,7 +36,7 @@ struct Step {
     Id<Network::Process> process = {};
     std::int64_t length = 0;
 };
-using Steps = std::unordered_map<Id<Network::Variable>, Step>;  // the change of each variable with the largest constant
+using Steps = std::unordered_map<Id<Network::Variable>, Step>;  // for each variable: its change by the largest constant
 
 void collect_steps(const Network& network, Id<Network::Process> id, Steps& steps) {
     const Slots slots(network, id);
@@ -62,7 +62,7 @@ struct Bounds {
     std::optional<std::int64_t> low = {}, high = {};
 };
 
-/// True if the absolute value exceeds about 2^41. No range of a variable contains such a value, and the sum of two
+/// True if the absolute value of `value` exceeds about 2^41. No variable can have such a value, and the sum of two
 /// smaller values fits into 64 bits.
 bool is_far(std::int64_t value) { return std::abs(value / 2) > std::int64_t{1} << 40U; }
 

@@ -74,10 +74,10 @@ void unify_ranges(Network& network) {
     }
 }
 
-/// Returns the terms that replace the parameters and variables of a component in a template. In general, such a term is
-/// a parameter of the template. An input that is bound to a term is replaced by this term, so that its value is exact
-/// in every state, including states between the moves of one instant. If an automaton computed the term, the value
-/// would be delayed.
+/// Returns the terms that replace the parameters and variables of a component in a template. In general, this term is a
+/// parameter of the template. An input that is bound to a term is replaced by this term, so that its value is exact in
+/// every state, including states between the moves of one instant. If an automaton computed the term, the value would
+/// be delayed.
 std::vector<Id<Expr>> read_as(const ClosedLoop& loop, const Component& component,
                               const std::vector<ClosedLoop::Argument>& arguments, Exprs& to) {
     TermCopier term(loop.exprs, to, [&](const Expr& leaf) {
@@ -172,8 +172,8 @@ Network::Template template_of(const ClosedLoop& loop, const Component& component
     return automaton;
 }
 
-/// Creates the process of an instance. Its arguments are those of all parameters that are not replaced by a term,
-/// followed by the instance's variables.
+/// Creates the process of an instance. The arguments of the process are the arguments of all parameters that no term
+/// replaces, followed by the variables of the instance.
 Network::Process process_of(const ClosedLoop::Instance& instance, const Component& component, std::int64_t unit,
                             const std::vector<Id<Network::Variable>>& own) {
     Network::Process process{.name = instance.name, .initial = {instance.initial.index}, .origin = instance.origin};
@@ -220,7 +220,7 @@ std::optional<Network> plant(const Model& model, const ClosedLoop& loop, Diagnos
     network.constants = loop.constants;
     network.variables = std::move(variables->variables);
     std::vector<Id<Network::Template>> templates(model.components.size());
-    UniqueNames names;  // used names of templates
+    UniqueNames names;  // names of templates that are already used
     for (const Component& component : model.components) names.fresh(component.name);
     for (const Id<ClosedLoop::Instance> id : loop.instances.ids()) {
         const ClosedLoop::Instance& instance = loop.instances[id];

@@ -28,8 +28,8 @@ void collect(const Exprs& exprs, Id<Expr> root, Span where, std::vector<Duration
     for (const Id<Expr> operand : exprs.operands(root)) collect(exprs, operand, where, found);
 }
 
-/// Collects the durations in the body of a component. Default values of its parameters are collected as arguments of
-/// instances, by the other overload.
+/// Collects the durations in the body of a component. The other overload of `collect` collects the default values of
+/// parameters, as arguments of instances.
 void collect(const Component& component, std::vector<Duration>& found) {
     const auto take = [&](Id<Expr> root, Span where) { collect(component.exprs, root, where, found); };
     for (const Component::Location& location : component.locations)

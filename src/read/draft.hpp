@@ -60,7 +60,7 @@ private:
     tree::Words words_;
     Diagnostics* diagnostics_;
     bool lossy_ = false;
-    std::size_t errors_ = 0;  ///< number of errors before this draft
+    std::size_t errors_ = 0;  ///< number of errors when this draft was created
 };
 
 /// Generates unique legal names in one scope. Adds a warning for each name that must be changed.

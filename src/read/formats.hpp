@@ -3,8 +3,8 @@
 // irrelevant. Every command accepts every format, and a .grafcet file can include files of every format.
 //
 // Trees from other formats keep the positions in the imported file, so that later stages report errors at these
-// positions. A construct that the .grafcet language cannot represent is an error. With `lossy`, it causes only a
-// warning, and becomes a comment in the generated text.
+// positions. A construct that the .grafcet language cannot represent is an error. With `lossy`, this construct causes
+// only a warning, and becomes a comment in the generated text.
 #pragma once
 
 #include <atomic>

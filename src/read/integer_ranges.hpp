@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Determines the ranges of integers for which an imported file does not specify a range. For a variable that is only
-// compared with constants and assigned constants, the values of these constants are sufficient. The range of an input
-// additionally has one smaller and one larger value, because the chart cannot distinguish further values. Any other
-// variable has the complete range of its type.
+// Determines the ranges of integers for which an imported file does not specify a range. If a chart only compares a
+// variable with constants and assigns only constants to it, the values of these constants are sufficient. The range of
+// an input additionally has one smaller and one larger value, because the chart cannot distinguish further values. Any
+// other variable has the complete range of its type.
 #pragma once
 
 #include <cstdint>

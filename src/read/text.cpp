@@ -35,8 +35,8 @@ std::string identity(const std::string& path, const ReadContext& context) {
     return context.identity ? context.identity(path) : path;
 }
 
-/// Returns the path `folder`/`written`. The result is the normalized path if it denotes the same file. It may denote
-/// another file: if `link` is a symbolic link, `link/../a` and `a` may be different files.
+/// Returns the path `folder`/`written`, normalized if the normalized path denotes the same file. The normalized path
+/// may denote another file: if `link` is a symbolic link, `link/../a` and `a` may be different files.
 std::string joined(const std::filesystem::path& folder, const std::string& written, const ReadContext& context) {
     const std::filesystem::path path = folder / written;
     const std::string shorter = path.lexically_normal().generic_string();
@@ -136,8 +136,8 @@ void read_chart(ReadState& reading, const tree::File& file, const tree::Chart& w
     else if (fresh) reading.written.in_error.insert(name);
 }
 
-/// True if a closed loop can declare all inputs and outputs of a program. Otherwise, reports the exceptions: parts of
-/// structures, arrays and instances.
+/// True if a closed loop can declare all inputs and outputs of a program. Otherwise, reports the inputs and outputs
+/// that are parts of structures, arrays and instances.
 bool has_elementary_signals(const Program& program, Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
     const ProgramLayout layout = layout_of(program);
@@ -176,7 +176,7 @@ void read_plc_program(ReadState& reading, const tree::File& file, const tree::Pl
         reading.written.in_error.erase(name);
         Chart chart = interface_of({std::make_shared<const Program>(program->program())}, name, written.name.where);
         // In the loop, the name of the program qualifies its variables and steps. Therefore, the program is recorded as
-        // the owner of these declarations. The declarations in the text of the program follow.
+        // the owner of its variables and steps. The declarations in the text of the program follow.
         for (const Chart::Variable& each : chart.variables)
             reading.record.declare(declaration_kind(each.kind), each.name, each.origin, each.origin, chart.origin);
         for (const Chart::Step& each : chart.steps)

@@ -22,8 +22,8 @@ namespace grafverif {
 
 namespace {
 
-/// Returns the value of `encoding` in the XML declaration as a view of the text, or an empty string without such a
-/// value.
+/// Returns the value of `encoding` in the XML declaration as a view of the text, or an empty string if the declaration
+/// has no such value.
 std::string_view declared_encoding(std::string_view text) {
     const std::string_view head =
         text.substr(0, text.starts_with("<?xml") ? std::min(text.find("?>"), text.size()) : 0);

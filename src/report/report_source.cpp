@@ -39,7 +39,7 @@ const Span* origin_of(const ReportSource& written, const ChartRun& run, Id<Chart
 }
 
 /// Returns the position of a step that is active after the row. If the run has several controllers, only steps of the
-/// controller of the row are considered. Returns null if there is no such step.
+/// controller of the row are considered. Returns null if no step is active.
 const Span* origin_of_situation(const ReportSource& written, const ChartRun& run, const ChartRun::Row& row) {
     for (const Id<ChartRun::Controller> id : run.controllers.ids()) {
         const Id<Chart> chart = chart_of(written, id);

@@ -103,7 +103,7 @@ std::string settings_text(const Report& report, const PropertyResult& answer) {
 
 SharedSettings shared_settings(const Report& report, const std::vector<const PropertyResult*>& answers) {
     SharedSettings settings{common_text(report.settings), {}};
-    std::map<std::string, std::size_t> known;  // index of each group by its text
+    std::map<std::string, std::size_t> known;  // for each text: index of the group with this text
     const auto same = agreed(answers);
     for (const auto& part : same) append(settings.shared, part.value_or(""), "; ");
     for (const PropertyResult* answer : answers) {

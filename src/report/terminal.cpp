@@ -105,8 +105,8 @@ struct Repetition {
     std::size_t period = 1, copies = 1;
 };
 
-/// Returns the repetition with at least three copies that starts at `begin` and covers the most lines. If there is no
-/// such repetition, returns a single line.
+/// Returns the repetition with at least three copies that starts at `begin` and covers the most lines. If no repetition
+/// starts at `begin`, returns a single line.
 Repetition repetition(const std::vector<Line>& lines, std::size_t begin) {
     constexpr std::size_t longest_period = 100;
     Repetition best;

@@ -47,7 +47,7 @@ public:
         all_[place->second].answers.push_back(&answer);
     }
     const std::vector<Shared>& all() const { return all_; }
-    /// Returns the entry of the text `text`. Requires that the text has been added.
+    /// Returns the element of `all()` with the text `text`. Requires that the text has been added.
     const Shared& operator[](const std::string& text) const { return all_[index_.at(text)]; }
 
 private:
@@ -123,8 +123,8 @@ private:
         return verdict.outcome == Outcome::Unknown && !verdict.reason.empty() && !answer.trace && verdict.notes.empty();
     }
 
-    /// True if the note is printed before the verdicts. This is the case if the note belongs to a property that holds
-    /// as expected, or to several properties. Any other note is printed after the verdict of its property.
+    /// True if the note is printed before the verdicts, because the note belongs to a property that holds as expected,
+    /// or to several properties. Any other note is printed after the verdict of its property.
     bool is_reported_above(const Shared& note) const {
         return note.answers.size() > 1 || in_table_only(*note.answers.front());
     }

@@ -28,7 +28,7 @@ struct TestReport {
     };
     struct Failure {
         std::size_t sequence = 0;  ///< index in TestSequence::sequences
-        std::size_t row = 0;       ///< index of the row in the sequence, including its activation
+        std::size_t row = 0;       ///< index of the row in the sequence; the activation is also a row
         std::uint32_t scan = 1;    ///< number of the first failed scan of the row, starting at 1
         Cause cause = Cause::Different;
         std::vector<std::int64_t> answered = {};  ///< actual value of each output; only for the cause Different

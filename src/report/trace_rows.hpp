@@ -36,7 +36,8 @@ public:
     void catch_up();
     /// Adds rows for the events that were added to the run since the last call, and completes open rows.
     void flush();
-    /// Completes the rows at the end of the run. If the loop of the run has no row, adds a row to it.
+    /// Completes the rows at the end of the run. If the part of the run that repeats forever has no row, adds a row to
+    /// this part.
     void finish();
 
 private:

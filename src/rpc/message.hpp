@@ -30,7 +30,7 @@ const Json& member(const Json& object, const char* name);
 /// Returns the method of a request or notification, otherwise an empty string.
 std::string method_of(const Json& message);
 
-/// True if the brackets of a text are nested deeper than in any valid message. A text with such deep nesting is not
+/// True if the brackets of a text are nested deeper than in any valid message. A text that is nested more deeply is not
 /// parsed.
 bool nests_too_deep(std::string_view json);
 /// Parses a frame. If the JSON is invalid or nested too deeply, the result is an item with an error.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Applies the rules of the standard for macro-steps, enclosing steps and forcing orders to sets of steps. The activity
-// of steps is computed for one level of the hierarchy after another, until it no longer changes.
+// of steps is computed for one level of the hierarchy after another, until the activity no longer changes.
 #pragma once
 
 #include <vector>

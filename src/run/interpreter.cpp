@@ -11,8 +11,8 @@ namespace grafverif {
 
 namespace {
 
-/// Applies rules 2 and 4: determines from the old situation all transitions to clear. The first condition whose value
-/// is undefined is a fault.
+/// Applies rules 2 and 4: determines from the old situation all transitions to clear. If the values of conditions are
+/// undefined, the first of these conditions is reported as a fault.
 std::vector<Id<Chart::Transition>> transitions_to_clear(const Chart& chart, const Levels& levels, const State& old,
                                                         Reader& reader, std::optional<RunFault>& fault) {
     std::vector<Id<Chart::Transition>> cleared;
@@ -97,8 +97,8 @@ void store(const Chart& chart, const State& old, Reader& reader, Evolution& evol
     }
 }
 
-/// Stores the values of terms before this evolution. The next evolution compares them with the current values to detect
-/// edges.
+/// Stores the values of terms before this evolution, which the next evolution compares with the current values to
+/// detect edges.
 void remember(const Chart& chart, const Memory& memory, Reader& reader, Evolution& evolution) {
     evolution.state.previous.resize(memory.edges.size());
     for (std::size_t place = 0; place < memory.edges.size(); ++place) {

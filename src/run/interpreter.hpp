@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Interpreter: executes the five evolution rules of IEC 60848 on a Chart as sets of steps and transitions. The
 // interpreter does not use Equations, so that both implementations of the standard can be tested against each other.
-// The simulation, the emulation of a PLC and the replay of traces use it.
+// The simulation, the emulation of a PLC and the replay of traces use the interpreter.
 //
 //   rule 1  initial situation see power_on: the first evolution executes the activation actions of the initial steps
 //                                 on activation and clears no transition
@@ -113,8 +113,8 @@ struct Cycle {
     /// Total instability (stability search only): the situations that repeat forever with these inputs. After total
     /// instability, the outputs are not written.
     std::vector<std::vector<bool>> endless = {};
-    /// True if the search found neither a stable situation nor a cycle within `evolution_limit` evolutions. In this
-    /// case, the outputs are not written.
+    /// True if the search found neither a stable situation nor a cycle within `evolution_limit` evolutions, so that the
+    /// outputs are not written.
     bool gave_up = false;
 };
 
@@ -144,8 +144,8 @@ struct TimedElement {
 /// Returns the time conditions of the chart in order, followed by the delays and time limits of continuous actions.
 std::vector<TimedElement> timed_elements(const Chart& chart);
 
-/// Returns, for each element `t1/v/t2` of timed_elements(), true if it holds for the value of v after the last
-/// evolution.
+/// Returns, for each element `t1/v/t2` of timed_elements(), true if this time condition holds for the value of v after
+/// the last evolution.
 std::vector<bool> time_conditions(const Chart& chart, const State& state);
 
 /// Executes one evolution. The first evolution after power_on clears no transition. `timed` is the result of
@@ -167,8 +167,8 @@ std::optional<std::vector<std::int64_t>> output_values(const Chart& chart, const
                                                        const std::vector<bool>& timed);
 
 /// Executes one PLC cycle; `state` determines the values of time conditions. Under stability search, the cycle consists
-/// of evolutions until the situation is stable. Without stability search, it consists of one evolution. Then the cycle
-/// writes the outputs.
+/// of evolutions until the situation is stable. Without stability search, it consists of one evolution. After its
+/// evolutions, the cycle writes the outputs.
 Cycle cycle(const Chart& chart, const State& state, InputValues inputs, ExecutionMode mode);
 
 /// Returns `state` after `milliseconds` have passed without an evolution.

@@ -38,7 +38,8 @@ public:
     /// execution ends after the first scan in which a controller stops.
     std::array<std::vector<Comparison::ScanOutputs>, 2> answers(const std::vector<Comparison::Scan>& scans) const;
 
-    /// Returns the first scan with different responses. Both controllers have responded to all previous scans.
+    /// Returns the first scan in which the responses of the two controllers differ. No controller stops before this
+    /// scan.
     std::optional<std::size_t> difference(const std::vector<Comparison::Scan>& scans) const;
 
     /// Returns a simpler sequence of the same length that also ends with the first difference. If possible, the simpler

@@ -73,7 +73,7 @@ private:
 
     ChartRun* run_;
     bool alone_;
-    std::vector<Id<ChartRun::Signal>> signals_;  ///< signal of each key
+    std::vector<Id<ChartRun::Signal>> signals_;  ///< for each key: its signal
     std::vector<std::uint32_t> signal_keys_ = {}, step_keys_ = {};
 };
 

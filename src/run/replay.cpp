@@ -83,8 +83,7 @@ private:
         return {};
     }
 
-    /// Visits the variables of one kind, in order. Their order is the order of the controller's signals of the same
-    /// kind.
+    /// Visits the variables of one kind, in the order of the controller's signals of the same kind.
     template <class Visit>
     void each(Chart::VariableKind kind, Visit visit) const {
         std::size_t place = 0;

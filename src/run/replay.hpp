@@ -47,8 +47,8 @@ struct ContradictoryActions {
 /// Returns the contradiction at the end of a run that ends in a race, or nothing if the rules yield no contradiction.
 std::optional<ContradictoryActions> clash(const ChartRun& run, std::span<const Chart* const> charts);
 
-/// Two time conditions on one step in an untimed run. A cycle samples the condition with the longer time as true and
-/// the condition with the shorter time as false. No plant can produce such a run.
+/// Two time conditions on one step in an untimed run that no plant can produce: a cycle samples the condition with the
+/// longer time as true and the condition with the shorter time as false.
 struct UntimelyConditions {
     StepName step = {};
     std::int64_t longer_ms = 0, shorter_ms = 0;

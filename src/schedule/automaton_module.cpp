@@ -9,7 +9,7 @@
 // edge. The module's `guard` of an edge holds if and only if the edge is enabled in the network. The module's guard
 // combines the source location, the guard and the clock constraint of the edge, and the target's invariant after the
 // resets. A transition constraint relates choice and guard. Next values are defined by disjoint cases over the choice.
-// The discipline determines if a step may take no edge.
+// The discipline determines if the automaton is allowed to take no edge in a step.
 #include "schedule/automaton_module.hpp"
 
 #include <algorithm>
@@ -181,7 +181,7 @@ private:
     /// Returns the clock value after a tick, limited to the cap of the current location.
     Id<Expr> after_tick(Id<Network::Clock> id) const {
         const Id<Expr> now = declared_.clock(id), more = exprs_.apply(Op::Plus, now, exprs_.integer(1));
-        std::map<std::int64_t, std::vector<Id<Expr>>> locations;  // the locations for each value of the cap
+        std::map<std::int64_t, std::vector<Id<Expr>>> locations;  // for each cap: the locations with this cap
         for (const Id<Network::Location> location : declared_.automaton().locations.ids())
             locations[caps_.cap[location.index][id.index]].push_back(declared_.at(location));
         Id<Expr> next = now;

@@ -16,9 +16,9 @@
 //
 // An automaton executes assignments sequentially, but a module assigns all next values simultaneously. Therefore each
 // next value is expressed by the values before the step. Variables with several writers (the flags of the PLC) are
-// variables of main. For each of these variables, the module defines the condition under which it writes the variable,
-// and the value that it writes. An assignment of a value outside the range of its variable sets `out_of_range`
-// permanently and does not change the variable.
+// variables of main. For each variable of main that a module writes, the module defines the condition under which it
+// writes the variable, and the value that it writes. An assignment of a value outside the range of its variable sets
+// `out_of_range` permanently and does not change the variable.
 #pragma once
 
 #include <string>
@@ -51,7 +51,7 @@ struct AutomatonContext {
     std::vector<ProcessClocks> clocks = {};
 };
 
-/// A movement of a plant component that terminates: the automaton stays in a location with an upper time bound.
+/// A terminating movement of a plant component: the automaton stays in a location with an upper time bound.
 struct Movement {
     Id<Symbol> moving = {};  ///< definition: true while the movement is in progress
     /// Variable: true if the previous step took an edge that ends the movement and restarts it. Invalid if the

@@ -81,8 +81,8 @@ private:
     BddTerms terms_;
 };
 
-/// Adds every constraint that reads only inputs of controllers as an invariant (DESDES06 5.1). This model ignores all
-/// other constraints.
+/// Adds every constraint that reads only inputs of controllers as an invariant (DESDES06 5.1). The model of controllers
+/// without a plant ignores all other constraints.
 void assume_constraints(const LoopMeaning& meaning) {
     for (const ClosedLoop::Constraint& constraint : meaning.loop.constraints) {
         std::string reason;

@@ -193,8 +193,8 @@ private:
         /// For each variable: true if stored actions write the variable.
         std::vector<bool>(equations_.variables.size());
     /// For each variable: the symbol that the cycle reads (`read_`), and the symbol that is visible outside the module
-    /// (`shown_`). These symbols differ only for an output with stored actions under stability search: the cycle reads
-    /// its image.
+    /// (`shown_`). The two symbols differ only for an output with stored actions under stability search: the cycle
+    /// reads the image of the output.
     std::vector<Id<Symbol>> read_, shown_;
     std::vector<Id<Variable>> parameters_ = {};
     Id<Symbol> turn_ = {}, elapse_ = {}, started_ = {};  ///< invalid if the module does not use the symbol
@@ -259,8 +259,8 @@ std::vector<Id<Expr>> set_next_values(Cycle& cycle, Draft& draft, Faults& faults
     return next;
 }
 
-/// Sets the previous values of the terms whose rising or falling edges are observed. A division by zero in such a term
-/// is a fault.
+/// Sets the previous values of the terms whose rising or falling edges are observed. A division by zero in one of these
+/// terms is a fault.
 void set_previous(Cycle& cycle, Draft& draft, Faults& faults) {
     const Id<Expr> off = draft.exprs.constant(false);
     for (const Equations::Previous& previous : cycle.equations().previous)

@@ -15,7 +15,7 @@ namespace grafverif::schedule {
 struct ControllerModule {
     TransitionSystem::Module module = {};
     /// The inputs and timer outputs that are parameters of the module, in order. The parameters `turn` and `elapse`
-    /// follow them if the module has these parameters.
+    /// follow the inputs and timer outputs, if the module has these parameters.
     std::vector<Id<Equations::Variable>> parameters = {};
     /// For each variable of the equations: the symbol that properties read. For an output, this symbol represents the
     /// value written to the plant.

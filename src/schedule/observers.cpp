@@ -52,7 +52,8 @@ std::unordered_map<std::uint32_t, Id<Symbol>> add_parameters(Main& main, Id<Syst
     return parameters;
 }
 
-/// Adds an instance without edges. Returns its location, which is the first symbol of its module, as a symbol of main.
+/// Adds an observer as an instance of a module without edges. Returns the location of the observer, which is the first
+/// symbol of the module, as a symbol of main.
 Id<Symbol> declare(Main& main, const ClosedLoop::Observer& observer) {
     System::Module module{.name = "observer_" + observer.name};
     const auto last = static_cast<std::int64_t>(observer.locations.size()) - 1;

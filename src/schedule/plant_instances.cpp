@@ -13,7 +13,7 @@ namespace {
 
 using System = TransitionSystem;
 
-// Maximum number of values of an integer variable; with more values, NuSMV needs noticeable time.
+// Maximum number of values of an integer variable; with more values, NuSMV becomes noticeably slow.
 constexpr std::int64_t most_values = 4096;
 
 }  // namespace

@@ -131,7 +131,7 @@ void add_property(const LoopMeaning& meaning, const Property& property) {
     if (property.pattern == Pattern::NoDeadlock || property.pattern == Pattern::NoTimelock) {
         // `no deadlock` requires that an edge can be taken immediately or after a delay. Until an edge is enabled, the
         // only possible event is the passage of time, so that there is only one run. Therefore `always possible` has
-        // the same meaning.
+        // the same meaning as `no deadlock`.
         translated.pattern = Pattern::AlwaysPossible;
         translated.operands = {property.pattern == Pattern::NoDeadlock ? meaning.can_move : meaning.can_wait};
     }

@@ -40,7 +40,8 @@ std::string variable_of(const ChartRun::Step& step);
 /// Returns the reason why a variable of this type cannot have the value, or an empty string if the value is possible.
 std::string range_text(std::string_view name, const Type& type, std::int64_t value);
 
-/// Returns the error message that `name` denotes several elements. `all` contains the complete names of these elements.
+/// Returns the error message that `name` denotes several elements. `all` contains the complete names of the elements
+/// that `name` denotes.
 std::string ambiguous_text(std::string_view name, const std::vector<std::string>& all);
 
 }  // namespace grafverif

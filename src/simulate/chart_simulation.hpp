@@ -29,8 +29,8 @@ public:
     const ChartRun& recorded_run() const { return recorded_run_; }
     ChartRun with_trace_rows(Detail detail) const;
 
-    /// Returns the proposed commands. Each of them changes one input to an adjacent value, and does not violate more
-    /// constraints than the current values.
+    /// Returns the proposed commands. Each proposed command changes one input to an adjacent value, and the new values
+    /// do not violate more constraints than the current values.
     std::vector<Choice> choices() const;
     std::size_t choice_count() const { return settings().size(); }
     DelayBounds delay_bounds() const;

@@ -55,8 +55,8 @@ using LocationOf = std::function<std::optional<std::string>(std::string_view ins
 std::optional<std::string> unmet_part(const Expectation& claim, const ChartRun& run, std::size_t moment,
                                       const LocationOf& location_of, std::string& problem);
 
-/// True if each condition of the expectation concerns a step. Only such an expectation can also be evaluated in
-/// transient situations, in which outputs are not yet written.
+/// True if each condition of the expectation concerns a step. In transient situations, in which outputs are not yet
+/// written, only expectations about steps can be evaluated.
 bool names_only_steps(const Expectation& claim, const ChartRun& run);
 
 }  // namespace grafverif

@@ -31,8 +31,8 @@ public:
     /// Executes a command. Returns an error message or an empty string. A command that performs no moves is not an
     /// error.
     std::string execute(const Command& command);
-    /// True if the last command was an `expect` or `wait until` whose expectation did not hold. In this case, the error
-    /// message describes the actual state, and the simulation can continue.
+    /// True if the last command was an `expect` or `wait until` whose expectation did not hold. The error message then
+    /// describes the actual state, and the simulation can continue.
     bool unmet() const { return unmet_; }
 
     /// Returns the number of commands that can be undone.

@@ -69,7 +69,7 @@ constexpr std::size_t tab_columns = 8;
 /// A source line in its printed form.
 struct Excerpt {
     std::string text = {};
-    std::string marks = {};  ///< spaces and carets; tabs of the line are kept
+    std::string marks = {};  ///< spaces and carets; tabs of the source line are kept
 };
 
 /// A character of a source line.

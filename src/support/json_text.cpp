@@ -16,7 +16,7 @@ std::string json_text(const nlohmann::ordered_json& value, int indent) {
     if (std::ranges::all_of(text, ascii)) return text;
     std::string clean;
     for (std::string_view rest = text; !rest.empty();) {
-        // All characters that a terminal interprets are below U+10000, so one `\u` escape represents each of them. Such
+        // All characters that a terminal interprets are below U+10000, so one `\u` escape represents each of them. The
         // characters occur only inside JSON strings, where escapes are allowed.
         const Glyph glyph = first_glyph(rest);
         if (glyph.obeyed && !ascii(rest.front())) clean += fmt::format("\\u{:04x}", glyph.code);

@@ -82,8 +82,9 @@ Diagnostic missing_event(Span where) {
 }
 
 Diagnostic enclosing_cycle(Span where, std::string_view chart) {
-    return error("enclosing-cycle", where,
-                 fmt::format("`{}` contains the step that it belongs to; remove the cyclic enclosure", clipped(chart)));
+    return error(
+        "enclosing-cycle", where,
+        fmt::format("`{0}` contains the step to which `{0}` belongs; remove the cyclic enclosure", clipped(chart)));
 }
 
 Diagnostic forcing_cycle(Span where, std::string_view chart) {

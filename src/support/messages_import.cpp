@@ -147,13 +147,14 @@ Diagnostic recursive_unit(Span where, std::string_view name) {
 }
 
 Diagnostic program_too_large(Span where, std::string_view what, std::uint64_t limit) {
-    return error("program-too-large", where, fmt::format("the program has more than {} {}; reduce it", limit, what));
+    return error("program-too-large", where,
+                 fmt::format("the program has more than {} {}; reduce their number", limit, what));
 }
 
 Diagnostic unbounded_loop(Span where, std::uint64_t limit) {
     return error("unbounded-loop", where,
-                 fmt::format("constants do not limit this loop to {0} iterations, the maximum; use a FOR loop with "
-                             "constant bounds and at most {0} iterations",
+                 fmt::format("this loop has no constant bound of at most {0} iterations; use a FOR loop with constant "
+                             "bounds and at most {0} iterations",
                              limit));
 }
 

@@ -206,7 +206,7 @@ Diagnostic bad_formula(Span where, std::string_view language, std::string_view w
 
 Diagnostic formula_at_stable(Span where) {
     return error("bad-formula", where,
-                 "`at stable` is not allowed for a formula, which is passed through unchanged; remove it");
+                 "`at stable` is not allowed for a formula, which is copied unchanged into models; remove `at stable`");
 }
 
 Diagnostic observer_without_start(Span where, std::string_view observer) {

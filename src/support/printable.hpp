@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Makes external text safe to print on a terminal: names, property texts, file names, output of other programs.
 // Characters that a terminal interprets instead of displaying them are replaced by `?`, which is one column wide.
-// Replaced are control characters (which begin escape sequences), directional formatting, line and paragraph
-// separators, and each byte of invalid UTF-8. All output for users passes through these functions; json_text and
-// xml_text are used for output to programs.
+// The replaced characters are control characters (which begin escape sequences), directional
+// formatting characters, line and paragraph separators, and each byte of invalid UTF-8. All output
+// for users passes through these functions; json_text and xml_text are used for output to programs.
 #pragma once
 
 #include <cstddef>

@@ -2,8 +2,9 @@
 // Fuzz targets: all readers of external input, and every command on generated charts. A target is a function of bytes,
 // so that libFuzzer can call it (`./dev fuzz`) and a test can replay the findings with any compiler (corpus_test).
 //
-// Readers get the bytes unchanged. The target `commands` interprets them as choices of a well-formed chart or loop, of
-// a command and of its options. A changed byte then changes the meaning of the input and not its spelling.
+// Readers get the bytes unchanged. The target `commands` interprets the bytes as choices of a
+// well-formed chart or loop, of a command and of its options. A changed byte then changes the
+// meaning of the input and not its spelling.
 #pragma once
 
 #include <span>

@@ -72,7 +72,8 @@ std::string reading_back(const Model& model, const std::string& text, Sources& s
     return {};
 }
 
-/// True if a chart has names that only instances of charts have, such as `Head[1].N`. The language cannot declare them.
+/// True if a chart has names that the language cannot declare, because only instances of charts
+/// have such names: `Head[1].N`.
 bool has_names_of_instances(const Model& model) {
     const auto has_dot = [](const auto& each) { return each.name.find('.') != std::string::npos; };
     return std::ranges::any_of(model.charts, [&](const Chart& chart) {
@@ -130,7 +131,7 @@ std::string import_complaint(std::string_view bytes) {
 std::string program_complaint(std::string_view bytes) {
     Sources sources;
     Diagnostics diagnostics;
-    const std::size_t end = std::min(bytes.find("\n---\n"), bytes.size());  // the properties follow this line
+    const std::size_t end = std::min(bytes.find("\n---\n"), bytes.size());  // the properties follow `---`
     auto text = read_program(sources.add({"fuzzed.st", std::string(bytes.substr(0, end))}), sources, diagnostics);
     std::string error_text = result_complaint_of(text.has_value(), diagnostics, sources);
     if (!error_text.empty() || !text) return error_text;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Compares NuSMV as an engine with the embedded engines on random systems and on the controllers of random loops. The
-// verdicts and numbers of states must be equal, and the counterexamples read from the output of NuSMV must be runs.
+// verdicts and numbers of states must be equal, and the counterexamples read from the output of
+// NuSMV must be runs of the system.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -178,8 +179,8 @@ std::vector<std::pair<SpecTerm, bool>> printed_verdicts(const std::string& out) 
     return found;
 }
 
-/// Checks that the verdicts of `NuSMV FILE` equal those of the embedded engine. Verdicts are assigned to properties by
-/// the names in the text.
+/// Checks that the verdicts of `NuSMV FILE` equal those of the embedded engine. The name of a
+/// specification in the text determines the property to which the verdict belongs.
 void expect_same_as_a_user_sees(const TransitionSystem& system, const std::string& program, Agreement& agreement) {
     const SymbolicResult own = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + time_limit});
     if (own.fault || own.states.empty()) return;

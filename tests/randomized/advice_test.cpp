@@ -103,7 +103,7 @@ struct States {
 };
 
 States states_of(const Network& network, std::size_t most) {
-    constexpr std::int64_t cap = 40;  // larger than all bounds of random loops
+    constexpr std::int64_t cap = 40;  // larger than all clock bounds of random loops
     States found;
     std::set<std::pair<std::vector<std::uint32_t>, std::vector<std::int64_t>>> seen;
     const auto add = [&](NetworkState state) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Compares the analysis with an explicit search that uses neither equations nor decision diagrams: the interpreter
 // visits all points of a random chart. An instant is a time at which inputs or timers change and the chart evolves. A
-// point is a state of the chart during an instant; a rest is a state in which an instant ends. Both methods model time
-// in the same way: between two instants the timers that watch the same step may expire, in the order of their
-// durations.
+// point is a state of the chart during an instant; a rest is a state in which an instant ends. The
+// analysis and the search model time in the same way: between two instants, the timers that watch
+// the same step may expire, in the order of their durations.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -338,9 +338,10 @@ std::string fact_of(const std::string& code, const std::string& subject) {
     return code + (subject.empty() ? "" : " " + subject);
 }
 
-/// Returns the wrong statements about open queries, which the analysis did not decide: it must have found every event
-/// of the instants that it searched. An open query is not wrong if a finding with the same code and subject exists,
-/// because several queries can have the same subject.
+/// Returns the errors in the open queries, which the analysis did not decide: the analysis must
+/// find each event that occurs in the instants that it searched. An open query is not wrong if a
+/// finding with the same code and subject exists, because several queries can have the same
+/// subject.
 std::string wrongly_open(const Analysis& analysis, const Facts& expected, const std::set<std::string>& found) {
     std::string text;
     for (const OpenQuestion& question : analysis.open) {
@@ -355,8 +356,9 @@ std::string wrongly_open(const Analysis& analysis, const Facts& expected, const 
     return text;
 }
 
-/// Returns the instants of the first rests after which none of the events `elements` ever occurs again. If there are
-/// several regions, each region contributes the first instants of the rests that lead to it.
+/// Returns the least instant of a rest after which none of the events `elements` ever occurs again.
+/// The result also contains, for each terminal set of nodes, the least instant of such a rest from
+/// which this set is reachable.
 std::set<std::size_t> first_without(const PointGraph& graph, const std::vector<std::string>& elements, bool broken) {
     std::vector<bool> all(graph.nodes.size(), true);
     for (const std::string& each : elements) {
@@ -378,7 +380,7 @@ std::set<std::size_t> first_without(const PointGraph& graph, const std::vector<s
     return result;
 }
 
-/// Returns the differences between the two results about events that never occur again.
+/// Returns the differences between the analysis and the search about events that never occur again.
 std::string disagreement_on_graph(const Chart& chart, const Equations& equations, const PointGraph& graph,
                                   const Analysis& analysis, const Bounds& bounds) {
     std::string text;
@@ -399,7 +401,8 @@ std::string disagreement_on_graph(const Chart& chart, const Equations& equations
             if (finding.timing == Finding::Timing::Unconfirmed) unconfirmed.insert(each);
         }
         if (finding.lost.empty() || finding.timing == Finding::Timing::Unconfirmed) continue;
-        // The path of the finding leads to a point where the first event of the group never occurs again.
+        // The path of the finding leads to a point after which its events never occur again (for
+        // `comes-once`, its first event).
         const bool once = finding.code == "comes-once";
         const auto first = first_without(graph, once ? std::vector{finding.lost.front()} : finding.lost, !cut);
         const std::size_t last_instant = finding.evidence ? finding.evidence->rows.size() - 1 : 0;
@@ -456,8 +459,9 @@ std::string disagreement_on_graph(const Chart& chart, const Equations& equations
     return text;
 }
 
-/// Returns the differences between the two results, or an empty string if the results agree. Returns nothing if the
-/// chart cannot be compared: it has no steps or no equations, it is too large, or one of its conditions is undefined.
+/// Returns the differences between the analysis and the search, or an empty string if they agree.
+/// Returns nothing if the chart cannot be compared: it has no steps or no equations, it is too
+/// large, or one of its conditions is undefined.
 std::optional<std::string> disagreement(const Chart& chart, ExecutionMode mode, const Bounds& bounds = {}) {
     if (chart.steps.empty()) return {};
     ExplicitSearch search(chart, mode);

@@ -74,7 +74,7 @@ public:
         if (taken != nullptr) location_ = taken->to;
         ended = false;
         state_ = run.state;
-        read_inputs(inputs);  // now with the timer outputs after the cycle, which outputs may read
+        read_inputs(inputs);  // outputs may read the timer outputs after the cycle
         return compared();
     }
 

@@ -191,8 +191,8 @@ TEST(RandomizedCCode, CompiledControllersAgreeWithTheRulesOfTheStandard) {
     EXPECT_GT(met.timed, 20);
 }
 
-/// Declarations of a chart named `chart`. They contain names that the code derives from the name of the chart, and
-/// names of <stdint.h>.
+/// Declarations of a chart named `chart`. The declarations contain names that the code derives from
+/// the name of the chart, and names of <stdint.h>.
 constexpr std::string_view similar_names =
     "input chart_H, chart_inputs, uint16_t; output chart_timer, chart_MAX_EVOLUTIONS, int32_t; internal N: int 0..7;\n"
     "initial step 0 { int32_t; } step 1 { chart_timer if 1s/chart_H/2s; chart_MAX_EVOLUTIONS; }\n"

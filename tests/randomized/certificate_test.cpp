@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Certificates of random networks and closed loops. `grafverif-certify` must accept each certificate. It must reject
-// each certificate of another model, and each damaged certificate with wrong checksums. It may accept a damaged
-// certificate with correct checksums only if all its claims are true: the test compares them with the verdicts of the
-// timed engine.
+// Certificates of random networks and closed loops. `grafverif-certify` must accept each
+// certificate. The program must reject each certificate of another model, and each damaged
+// certificate with wrong checksums. The program may accept a damaged certificate with correct
+// checksums only if all its claims are true: the test compares them with the verdicts of the timed
+// engine.
 #include "emit/certificate/certificate.hpp"
 
 #include <gtest/gtest.h>
@@ -401,7 +402,7 @@ TEST(RandomizedCertificate, CertificatesOfOtherModelsProveOnlyTrueClaims) {
     EXPECT_GT(rejected, compared / 3);
 }
 
-/// Premises of a fragment: another network, in which one of them does not hold.
+/// The premises of a fragment; `without_premise` returns a network that violates one premise.
 enum class Broken { OmittedProcessesMove, EdgesCanWait, GuardsCanHold, ValuesChange, ClocksPass, count };
 
 Network without_premise(Network network, const FragmentContent& content, Broken premise) {
@@ -422,8 +423,9 @@ Network without_premise(Network network, const FragmentContent& content, Broken 
     return network;
 }
 
-/// A set of states of a fragment that ignores a premise is closed in another network. The program must not accept a
-/// false claim that this set would prove.
+/// A set of fragment states that ignores a premise is closed in a network that violates this
+/// premise. The program must not accept a false claim that such a set would prove for the original
+/// network.
 TEST(RandomizedCertificate, FragmentsThatIgnoreAPremiseProveNoFalseClaim) {
     CertificateFolder folder;
     std::map<int, int> rejected, accepted;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Randomized tests of chart instances: a random loop is written once with instances of a random chart, and once with a
-// separate chart for each instance. Both loops have the same network except for the names, and the same verdicts and
-// runs.
+// separate chart for each instance. The two loops have the same network except for the names, and
+// the same verdicts and runs.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,8 @@ namespace {
 
 enum class As { Controllers, PartialCharts };
 
-/// Writes a random loop with instances, or with a separate chart for each instance. The random choices are the same.
+/// Writes a random loop with instances, or with a separate chart for each instance, from the same
+/// random choices.
 class InstanceWriter {
 public:
     InstanceWriter(Random random, As as, bool instances) : random_(random), as_(as), instances_(instances) {}

@@ -31,8 +31,8 @@ struct Seen {
     std::size_t systems = 0, steps = 0, targets = 0, hits = 0, starts = 0;
 };
 
-/// A random run of the circuit. It tries inputs until the current state satisfies the constraints ("is possible"), and
-/// then executes a step.
+/// A random run of the circuit, which tries inputs until the current state satisfies the
+/// constraints ("is possible"), and then executes a step.
 class Walk {
 public:
     Walk(const Circuit& circuit, Random& random) : circuit_(circuit), random_(random), values_(circuit.gates.size()) {}

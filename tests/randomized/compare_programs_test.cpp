@@ -21,7 +21,7 @@ namespace grafverif {
 namespace {
 
 constexpr std::int64_t longest_wait = 3;   ///< preset time of the timers in milliseconds
-constexpr std::size_t most_pairs = 2'000;  ///< limit of the search
+constexpr std::size_t most_pairs = 2'000;  ///< maximum number of pairs of states in the search
 
 /// A program as a list of statements.
 struct RandomText {

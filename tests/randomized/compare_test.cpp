@@ -2,8 +2,8 @@
 // Randomized test: charts that `compare` reports as equal have equal outputs in random scans of the interpreter. In the
 // interpreter, a distinguishing sequence distinguishes the charts in its last scan and not before. If it is reported as
 // shortest, no shorter random sequence distinguishes them. The test uses charts and their mutants in both execution
-// modes, including timed charts. It also checks that a mutant of `mutate` is read back as written and differs in one
-// location, and compares some mutants with their charts.
+// modes, including timed charts. The test also checks that a mutant of `mutate` is read back as
+// written and differs from its chart in one element, and compares some mutants with their charts.
 #include "pipeline/variants/compare.hpp"
 
 #include <gtest/gtest.h>
@@ -221,7 +221,8 @@ TEST(RandomizedCompare, AChartWithOtherNamesForItsStepsIsTheSame) {
     EXPECT_GT(met.equal, 0);
 }
 
-/// Returns the error in the location of a mutation, or an empty string if the charts differ only at that location.
+/// Returns a text about the differing elements, or an empty string if the charts differ only in the
+/// element that the mutation reports.
 std::string misplaced(const Mutant& mutant, const Chart& a, const Chart& b) {
     std::set<std::string> subjects;
     for (const ChartChange& change : difference(a, b)) {

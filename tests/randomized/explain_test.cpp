@@ -58,8 +58,9 @@ SymbolicResult searched(const TransitionSystem& system, const std::vector<Patter
     return options.properties.empty() ? SymbolicResult() : check_symbolic(system, options);
 }
 
-/// The independent computation is the search of `analyse` on the equations of the chart alone. In this search, no input
-/// changes during an instant, and therefore it corresponds to the atomic grain.
+/// The explanation is compared with the search of `analyse` on the equations of the chart alone. In
+/// this search, no input changes during an instant; therefore the search corresponds to the atomic
+/// grain.
 TEST(RandomizedExplain, ChartsReportedAsUnstableAreTotallyUnstableForAnalyse) {
     int unstable = 0;
     for (int seed = 1; seed <= test_size(120); ++seed) {
@@ -91,7 +92,7 @@ TEST(RandomizedExplain, ChartsReportedAsUnstableAreTotallyUnstableForAnalyse) {
 
 std::size_t below(Random& random, std::size_t bound) { return random() % bound; }
 
-/// Returns a term over the first `variables` variables. Some of its subterms occur twice.
+/// Returns a term over the first `variables` variables in which some subterms occur twice.
 Id<Expr> random_term(Random& random, Exprs& exprs, std::size_t variables, int depth) {
     if (depth == 0 || below(random, 4) == 0) {
         const Id<Expr> leaf = exprs.leaf(Op::Variable, static_cast<std::uint32_t>(below(random, variables)));
@@ -178,8 +179,9 @@ private:
                std::ranges::none_of(pairs_of(), [&](std::size_t state) { return holds(p[1], state, changed); });
     }
 
-    /// Returns the literals of the condition that the property imposes on `state`, in negation normal form: pairs of a
-    /// term that is not a constant, NOT, AND or OR, and its required value.
+    /// Returns the literals of the condition that the property imposes on `state`, in negation
+    /// normal form. A literal is a term (not a constant, NOT, AND or OR) with the required value of
+    /// this term.
     std::vector<std::pair<std::uint32_t, bool>> literals(std::size_t state) const {
         std::vector<std::pair<std::uint32_t, bool>> list;
         const auto walk = [&](const auto& self, Id<Expr> term, bool wanted) -> void {
@@ -595,8 +597,8 @@ TEST(RandomizedExplain, ReportedProofCoresAgreeWithTheReferenceSemantics) {
     }
 }
 
-// Compares the charts from which `remove_term` removes one term with the mutants of kind `term-dropped`, which
-// `mutants` generates independently from the text of the chart. Both sets must be equal.
+// The charts from which `remove_term` removes one term must be exactly the mutants of kind
+// `term-dropped`, which `mutants` generates independently from the text of the chart.
 TEST(RandomizedExplain, RemovingATermAgreesWithTheTextWithoutIt) {
     int same = 0;
     for (int seed = 1; seed <= test_size(25); ++seed) {
@@ -653,8 +655,8 @@ std::optional<std::set<TaddState>> places_of(const Network& network, Id<Network:
     return places;
 }
 
-// Tests the premise of proofs in which an instance, or the clocks of a process, are removed: the removal only adds
-// reachable states.
+// Tests the premise of proofs that remove an instance or the clocks of a process: the removal only
+// adds reachable states.
 TEST(RandomizedExplain, RemovalOfAnInstanceOrATimingOnlyAddsStates) {
     int instances = 0, timings = 0;
     for (int seed = 1; seed <= test_size(8); ++seed) {
@@ -682,8 +684,8 @@ TEST(RandomizedExplain, RemovalOfAnInstanceOrATimingOnlyAddsStates) {
     EXPECT_GT(timings, test_size(8));
 }
 
-// Tests the premise of proofs in which a guard is removed: the removal only adds reachable states. The removal of an
-// edge that is not forced needs no search, because it adds no reachable state.
+// Tests the premise of proofs that remove a guard: the removal only adds reachable states. The
+// removal of an edge that is not forced needs no search, because it adds no reachable state.
 TEST(RandomizedExplain, RemovalOfAGuardOnlyAddsStatesAndRemovalOfAnUnforcedEdgeAddsNone) {
     int guards = 0, edges = 0;
     for (int seed = 1; seed <= test_size(6); ++seed) {
@@ -741,8 +743,8 @@ TaddState end_of(const NaiveTadd& naive, const grafverif::Run& run) {
     return state;
 }
 
-/// Returns the transitions cleared in `state`. They are visible in `state` or, in grain atomic, in the state after the
-/// edge of the PLC.
+/// Returns the transitions cleared in `state`. The cleared transitions are visible in `state` or,
+/// in grain atomic, in the state after the edge of the PLC.
 std::set<std::string> cleared_in(const Network& network, const TaddState& state) {
     const Network::Controller& controller = *network.controllers.begin();
     NetworkState now = initial_state(network);

@@ -227,8 +227,8 @@ bool is_time(const System& system, Id<System::Symbol> symbol) {
     });
 }
 
-/// Compares the set of events that fewest_input_changes omits with all sets of events of inputs and timers without
-/// which the property does not fail: it must be one of the smallest sets.
+/// Checks that the set of events that fewest_input_changes omits is one of the smallest sets of
+/// input and timer events without which the property does not fail.
 void expect_fewest(const System& system, const std::vector<const Chart*>& charts, const Property& property,
                    const SystemRun& run, std::map<std::string, int>& counts) {
     const Told value_at(system, run);

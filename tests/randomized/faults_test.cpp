@@ -33,7 +33,7 @@ auto one_of(Random& random, const List& list) {
 /// A behaviour as text. `$` precedes each name of a location or clock, and is replaced by a prefix.
 struct Behaviour {
     std::string clocks = {};
-    std::vector<std::string> locations = {};  ///< the first one is initial
+    std::vector<std::string> locations = {};  ///< the first location is initial
     std::string edges = {};
     std::string change = {};  ///< assignments and resets of the edge by which a fault occurs
 };
@@ -71,7 +71,7 @@ Behaviour chatter() {
             "timed $chatter -> $chatter when $t >= 1s do OUT := !OUT, $t := 0;\n",
             "$t := 0"};
 }
-/// A fault with its own variable and two locations. It sets its output to true at most twice.
+/// A fault with its own variable and two locations, which sets its output to true at most twice.
 Behaviour worn() {
     return {"variable $n: int 0..2; clock $t;",
             {"$off invariant $t <= 3s with OUT := false", "$on"},
@@ -261,7 +261,8 @@ private:
         const bool existence = verdict.pattern == Pattern::Reachable || verdict.pattern == Pattern::ReachableAllSteps;
         if (existence && present != all) return;
         const auto [known, fresh] = outcomes_.try_emplace({faults, name}, verdict.outcome);
-        // If faults from power-on lead to a violation of a property of states, these faults at any time do so, too.
+        // If faults from power-on violate a property of states, the same faults at any time also
+        // violate the property.
         const bool of_states = is_about_all_states(verdict.pattern) && name != "p11" && name != "p12" && name != "p15";
         if (!fresh && of_states && verdict.outcome == Outcome::Violated) {
             EXPECT_EQ(word(late.at(name).outcome), "violated") << name;
@@ -308,7 +309,8 @@ void compare_row(const FaultAnalysis::Row& row, const NaiveFaults& naive, Seen& 
     for (const FaultSet& faults : minimal) seen.of_two += faults.size() == 2 ? 1 : 0;
 }
 
-/// Checks that the verdicts do not depend on the limit of the first search, which determines the order of the searches.
+/// Checks that the verdicts do not depend on the limit of the first search; this limit determines
+/// the order of the searches.
 void compare_schedules(const Model& model, Id<ClosedLoop> loop, std::uint64_t first_states,
                        const FaultAnalysis& usual) {
     Diagnostics diagnostics;

@@ -292,7 +292,7 @@ TEST(RandomizedLocalization, InputAbstractionOfUntimedPanelsGivesTheVerdictsOfTh
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
         std::string text = random_panel(random, {.elements = 2, .observed = false});
-        text.insert(text.rfind('}'), "property passes: no timelock;\n");  // not in an untimed model
+        text.insert(text.rfind('}'), "property passes: no timelock;\n");  // only in timed models
         const ParseResult reading = read_string(text, "panel");
         ASSERT_TRUE(reading.model) << reading.diagnostics_text();
         ModelOptions how{.grain = seed % 2 == 0 ? Grain::Atomic : Grain::Phased};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Randomized test of emit/nusmv: the text, read back with NuSMV's own precedences, equals the transition system. Both
-// have the same modules, parameters, variables, initial and next values, definitions and specifications, term by term.
+// Randomized test of emit/nusmv: the text, read back with NuSMV's own precedences, equals the
+// transition system. The text and the system have the same modules, parameters, variables, initial
+// and next values, definitions and specifications, term by term.
 #include <gtest/gtest.h>
 
 #include <algorithm>

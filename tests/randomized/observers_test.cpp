@@ -55,8 +55,8 @@ struct Seen {
     std::int64_t over = 0;             ///< the end of the run, in time units
 };
 
-/// Evaluates `p at most count times`. It generalizes the formula of the pattern catalogue for a count of two: phases
-/// without p and with p alternate.
+/// Evaluates `p at most count times`. The formula generalizes that of the pattern catalogue for a
+/// count of two: phases without p and with p alternate.
 bool holds_counted(const Sentence& watch, const Seen& seen) {
     using enum Sentence::Scope;
     if (seen.begin.empty()) return true;
@@ -292,7 +292,7 @@ private:
         }
     }
 
-    /// Lets the observer check the state. Before that, no time can pass and no other event can occur.
+    /// Lets the observer check the state, before time can pass or another event can occur.
     void arrive() {
         for (int looks = 0;; ++looks) {
             note_failure();
@@ -366,8 +366,8 @@ TEST(RandomizedObservers, CheckEveryStateOfEveryRunAndFailIfTheirSentenceIsViola
             ++(pair.violated ? violated : hold);
         }
     }
-    // Six patterns occur in four scopes, and two patterns have no scope. Five patterns have durations, and three of
-    // these also occur in four scopes.
+    // Six patterns without a duration occur in four scopes, and two of these also without a scope.
+    // Five patterns with a duration occur without a scope, and three of these also in four scopes.
     EXPECT_EQ(met.size(), 6U * 4U + 2U + 5U + 3U * 4U);
     std::map<int, std::pair<int, int>> kinds, scopes;
     for (const auto& [of, counts] : met)

@@ -280,8 +280,8 @@ TEST(RandomizedPdr, InvariantsWithoutAClauseOrLiteralAreCheckedAgain) {
     EXPECT_GT(rejected, 50u);
 }
 
-/// Returns a search that gives the correct result or one of two wrong results. It always reports that a quiescent state
-/// is reached.
+/// Returns a search that gives the correct result or one of two wrong results. The search always
+/// reports that a quiescent state is reached.
 decltype(PdrOptions::reach) liar(Random& random) {
     return [&random](const Circuit& circuit, Gates::Literal bad, pdr::LimitMonitor& watch) -> pdr::PdrAnswer {
         const std::int64_t choice = bad == circuit.settled ? 0 : static_cast<std::int64_t>(random() % 4);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Compares a loop in which an input of an instance is bound to a term with an equivalent loop. In the equivalent loop,
-// a separate component has an input for each variable of the term, and its guards contain the term. Both loops must
-// have the same states and the same verdicts by the timed and the symbolic engine, and the UPPAAL project must be read
-// back as the network.
+// a separate component has an input for each variable of the term, and its guards contain the term.
+// The two loops must have the same states and the same verdicts by the timed and the symbolic
+// engine, and the UPPAAL project must be read back as the network.
 #include <gtest/gtest.h>
 
 #include <map>

@@ -66,7 +66,8 @@ bool is_liveness(const Verdict& verdict) {
     return verdict.pattern == Pattern::Inevitable || verdict.pattern == Pattern::LeadsTo;
 }
 
-/// True if some controller can take an edge throughout the loop of the run, and never does.
+/// True if some controller can always take an edge in the repeated part of the run, but never takes
+/// one.
 bool starves_a_controller(const Network& network, const Run& run) {
     const auto states = replay(network, run);
     if (!run.loop || !states) return false;

@@ -347,7 +347,8 @@ protected:
         }
     }
 
-    /// `faulty`: the verdict is unknown if it depends on states after a run-time fault.
+    /// If `faulty`, a verdict about all states may be unknown, because it depends on states after a
+    /// run-time fault.
     void expect(const Report& report, const std::string& name, Outcome outcome, bool faulty) {
         const auto answer =
             std::ranges::find(report.answers, name, [](const PropertyResult& one) { return one.verdict.property; });

@@ -48,8 +48,8 @@ Executed executed(const Scan& scan, const std::vector<std::optional<std::int64_t
 }
 
 /// Returns the executed statements and decided conditions according to the log of the interpreter. The test compares
-/// only what both record: a log contains neither the branches nor the iterations of a statement, and records a
-/// condition that is a variable as a read variable.
+/// only data that the log and the equations both contain: a log contains neither the branches nor
+/// the iterations of a statement, and records a condition that is a variable as a read variable.
 Executed executed(const Program& program, const ScanLog& log, const Scan& scan, Executed& of_terms) {
     using Kind = Program::Statement::Kind;
     std::set<std::uint32_t> conditions;
@@ -110,7 +110,7 @@ std::string disagreement(const Program& program, const Scan& scan, Random& rando
         met.timers += scan.layout.timers.empty() ? 0 : 1;
         met.intervals += program.interval_ms ? 1 : 0;
         for (std::size_t i = 0; i < cells; ++i) {
-            if (scan.layout.cells[i].temporary) continue;  // its value is discarded after the call
+            if (scan.layout.cells[i].temporary) continue;  // the cell does not outlive the call
             if (terms[scan.after[i].index] != run.cells()[i])
                 return scan.layout.cells[i].name + where + ": the equations give " +
                        (terms[scan.after[i].index] ? std::to_string(*terms[scan.after[i].index]) : "nothing") +

@@ -56,7 +56,8 @@ Chart with_short_times(Chart chart) {
     return chart;
 }
 
-/// True if the changes of an output, by the chart up to time `known`, can be recorded as `recorded`.
+/// True if `recorded` can be the recording of an output that the chart changes as in `changes`, up
+/// to time `known`.
 bool is_recordable(const History& recorded, const History& changes, std::int64_t initial, const Recording& recording,
                    Ticks known) {
     const Ticks last = known - recording.jitter;
@@ -369,7 +370,7 @@ TEST(RandomizedRecording, ConformsIfAndOnlyIfATimingIsAdmissible) {
         const bool expected = search.found();
         if (search.is_too_long()) continue;
         SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + text_of(made->recording) + chart_text(made->chart));
-        // Tables that are often cleared do not change the verdict.
+        // With a small `table_bytes`, tables are often cleared; this must not change the verdict.
         const std::size_t table_bytes = seed % 2 == 0 ? 1'000'000 : 10'000;
         const RecordingVerdict verdict =
             checked(made->chart, made->recording, {.most_hypotheses = 100'000, .table_bytes = table_bytes});
@@ -468,7 +469,7 @@ void for_all_offsets(const Clocks& clocks, const auto& use) {
 }
 
 // Reference method: the test corrects the times of the recording by each possible combination of offsets, and checks
-// the result without offsets. It checks the part of the recording that all clocks cover.
+// the result without offsets. Only the part of the recording that all clocks cover is checked.
 TEST(RandomizedRecording, HasTheVerdictOfTheBestClockOffsets) {
     int conforming = 0, deviating = 0, narrowed = 0, excluded = 0;
     for (int seed = 1; seed <= test_size(3'000); ++seed) {
@@ -505,7 +506,8 @@ TEST(RandomizedRecording, HasTheVerdictOfTheBestClockOffsets) {
                 EXPECT_TRUE(low <= offsets[k] && offsets[k] <= high) << low << ' ' << offsets[k] << ' ' << high;
             narrowed += high - low < 2 * clocks.bounds[k] ? 1 : 0;
             if (clocks.bounds.size() > 1) continue;
-            // An offset at the end of the range explains the recording except for a part at its end.
+            // With an offset at either end of the range, the recording without its last part does
+            // not deviate.
             for (const Ticks offset : {low, high})
                 EXPECT_NE(verdict_for({offset}, known - 2 * clocks.largest()), RecordingVerdict::Kind::Deviates)
                     << offset;

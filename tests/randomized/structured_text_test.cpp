@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Randomized test: a small PLC simulator that does not use charts executes the controller in Structured Text. It agrees
-// with the interpreter cycle by cycle, in both execution modes and both forms, in the outputs, the situation, and the
-// point at which the controller stops.
+// Randomized test: a small PLC simulator that does not use charts executes the controller in
+// Structured Text. The simulator agrees with the interpreter cycle by cycle, in both execution
+// modes and both forms, in the outputs, the situation, and the point at which the controller stops.
 #include "emit/structured_text/structured_text.hpp"
 
 #include <gtest/gtest.h>

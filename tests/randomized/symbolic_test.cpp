@@ -93,7 +93,7 @@ void expect_shown(const System& system, const SystemGraph& graph, const Property
 
 struct Compared {
     std::size_t systems = 0, states = 0, verdicts = 0, faults = 0, violated = 0;
-    std::size_t saturated = 0;  ///< number of cases in which the search needed fewer rounds than the greatest distance
+    std::size_t saturated = 0;  ///< cases with fewer rounds than the greatest distance of a state
 };
 
 /// The tested options: breadth-first search alone, and event clusters from the first state on.

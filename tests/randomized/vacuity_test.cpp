@@ -194,7 +194,7 @@ void compare(const Model& model, const NaiveTadd& tadd, const Graph& graph, cons
     EXPECT_EQ(here.vacuous, vacuous);
     const std::pair form{static_cast<int>(property.watch.kind), static_cast<int>(property.watch.scope)};
     ++(vacuous ? tally.vacuous : tally.checked)[form];
-    // The test compares each form only once for slower engines.
+    // For slower engines, the test compares each form of property only once.
     std::size_t& untimed = tally.untimed[{form, vacuous}];
     if (untimed >= static_cast<std::size_t>(test_size(1))) return;
     if (timed.states >= 600 || clock_count(watched) > most_clocks) return;

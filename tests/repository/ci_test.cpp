@@ -90,7 +90,8 @@ std::map<std::string, std::string> faulty() {
     return {{"charts/gate.grafcet", gate}, {"charts/gate_controller.grafcet", wrong}};
 }
 
-/// A step of the action as a shell script. Its environment contains the default values of the inputs.
+/// A step of the action as a shell script. The environment of the step contains the default values
+/// of the inputs.
 struct Step {
     std::string name = {}, script = {};
     std::map<std::string, std::string> environment = {};

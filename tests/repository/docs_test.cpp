@@ -80,8 +80,8 @@ std::string name_of(const Block& block) {
     return name;
 }
 
-/// A folder in which the documents' commands run. It contains the documents, the samples and the templates at
-/// the same relative paths as the repository.
+/// A folder in which the documents' commands run. The folder contains the documents, the samples
+/// and the templates at the same relative paths as in the repository.
 class Workplace {
 public:
     Workplace() {
@@ -96,8 +96,9 @@ public:
 
     void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
 
-    /// Applies a `diff` block. Its first line names the file; the lines marked ` ` and `-` are replaced by the lines
-    /// marked ` ` and `+`. Returns false if the file does not contain the former lines.
+    /// Applies a `diff` block. The first line of the block names the file; the lines marked ` ` and
+    /// `-` are replaced by the lines marked ` ` and `+`. Returns false if the file does not contain
+    /// the former lines.
     bool apply(const Block& block) const {
         std::string from, to;
         for (const std::string& line : std::span(block.lines).subspan(1)) {

@@ -46,7 +46,7 @@ TEST(Editors, KnowTheKeywordsOfTheLexer) {
 TEST(Editors, NameEachWordInBothGrammars) {
     for (const char* name : {"editors/vscode/syntaxes/grafcet.tmLanguage.json", "editors/vim/syntax/grafcet.vim"}) {
         std::string text = text_of(root / name);
-        text = std::regex_replace(text, std::regex(R"(\\+[bs])"), " ");  // this removes the escapes of `\bleads\s+to\b`
+        text = std::regex_replace(text, std::regex(R"(\\+[bs])"), " ");  // removes the escapes of `\bleads\s+to\b`
         const std::set<std::string> known = matches_of(text, std::regex("([A-Za-z_]+)"));
         for (const std::string& word : words_of_table()) EXPECT_TRUE(known.contains(word)) << word << " in " << name;
     }

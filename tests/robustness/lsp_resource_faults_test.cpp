@@ -64,8 +64,8 @@ Json changed(const std::string& uri, const std::string& text) {
                                            {"contentChanges", Json::array({{{"text", text}}})}});
 }
 
-/// Returns the messages that the client sends while memory may be refused. They contain every kind of request, for a
-/// document with errors and for one without errors.
+/// Returns the messages that the client sends while memory may be refused. The messages contain
+/// every kind of request, for a document with errors and for one without errors.
 const std::vector<Json>& conversation() {
     static const std::vector<Json> all = [] {
         std::vector<Json> messages = {opened(lamp, lamp_text), opened(press, press_text("G"))};

@@ -116,7 +116,7 @@ Words within(std::size_t kilobytes) {
 TEST(Memory, ThatIsShortEndsTheProgramByAnExitCode) {
     if (sanitized) GTEST_SKIP() << "sanitizers need more address space than the limits allow";
     const Folder folder;
-    std::size_t least = 8192;  // the program does not start with less
+    std::size_t least = 8192;  // the program does not start with less memory
     while (ran(with(within(least), {"--version"}, folder)).status != 0) least += 1024;
     const std::string large = (root / "samples/testing_station/testing_station.grafcet").string();
     std::vector<Words> runs = verbs();

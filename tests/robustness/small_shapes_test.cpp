@@ -29,7 +29,7 @@ constexpr std::array actions = {"",
                                 "o := {} on deactivation;",
                                 "o := false on event rise({});"};
 
-/// Returns the possible conditions in a chart with these elements.
+/// Returns the possible conditions in a chart with the given elements.
 std::vector<std::string> conditions(bool input, bool output, std::size_t steps) {
     std::vector<std::string> list{"true", "false"};
     if (input) list.insert(list.end(), {"a", "!a", "rise(a)", "1s/a"});

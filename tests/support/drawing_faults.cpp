@@ -36,7 +36,8 @@ Area area_of(const Drawing::Text& text, std::size_t element) {
     return {left, text.at.y - text.size * 3 / 4, left + text.width, text.at.y + text.size / 5, element, false};
 }
 
-/// Calls `pair` for all pairs whose horizontal ranges overlap, in a sweep over `areas` from left to right.
+/// Calls `pair` for all pairs of areas whose horizontal ranges overlap, in a sweep from left to
+/// right.
 void each_pair(std::vector<Area> areas, const std::function<void(const Area&, const Area&)>& pair) {
     std::ranges::sort(areas, {}, &Area::left);
     for (std::size_t k = 0; k < areas.size(); ++k)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Explicit-state search of a TransitionSystem, which computes its graph and determines the verdicts from the graph. It
-// is the reference for symbolic engines and model checkers. Free variables and choices take every value in every step.
+// Explicit-state search of a TransitionSystem, which computes its graph and determines the verdicts
+// from the graph. The search is the reference for symbolic engines and model checkers. Free
+// variables and choices take every value in every step.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +17,7 @@ struct SystemGraph {
     std::vector<SystemState> states = {};
     std::vector<std::vector<std::size_t>> successors = {};
     std::size_t initial = 0;  ///< number of initial states, which are the first in the graph
-    bool total = true;        ///< every state has a successor
+    bool total = true;        ///< true if every state has a successor
 
     /// Returns, for each state, the distance in steps from the initial states.
     std::vector<std::size_t> distances() const;

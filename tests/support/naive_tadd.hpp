@@ -21,6 +21,7 @@ namespace grafverif {
 struct TaddState {
     std::vector<std::uint32_t> locations = {};  ///< indexed by process
     std::vector<std::int64_t> variables = {};   ///< scratch variables are 0
+
     /// Indexed by the clocks of all processes in order; limited to the largest constant plus one.
     std::vector<std::int64_t> clocks = {};
 

@@ -144,7 +144,7 @@ struct NusmvReader {
         if (peek().empty() || !starts_name(peek().front())) expect("a term");
         return model.leaf(identifier());
     }
-    /// Reads `case c : v; ... TRUE : w; esac`, or an expression.
+    /// Reads a conditional such as `case c : v; TRUE : w; esac`, or another expression.
     Id<Expr> value() {
         if (!accept("case")) return expression();
         std::vector<std::pair<Id<Expr>, Id<Expr>>> cases;

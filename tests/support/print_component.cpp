@@ -95,8 +95,8 @@ private:
         }
     }
 
-    /// Returns the conjunction of the guard and the clock constraints, in this order. The result is not valid if both
-    /// are trivial.
+    /// Returns the conjunction of the guard and the clock constraints, in this order. The result is
+    /// not valid if the guard and the constraints are trivial.
     Id<tree::Expr> conjunction(Id<Expr> guard, const std::vector<Component::ClockConstraint>& clocks) {
         std::vector<Id<tree::Expr>> conjuncts;
         if (guard.valid() && !is_true(component_.exprs, guard)) conjuncts.push_back(expression(guard));

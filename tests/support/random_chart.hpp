@@ -37,7 +37,8 @@ Chart random_chart(Random& random, TimedTerms timed = TimedTerms::Any);
 Chart tidied(const Chart& chart);
 
 /// Returns a smaller chart for which `fails` is still true. The function removes steps, transitions and actions, and
-/// simplifies conditions, until no reduction is possible. It keeps variables, so that inputs keep their meaning.
+/// simplifies conditions, until no reduction is possible. The function keeps variables, so that
+/// inputs keep their meaning.
 Chart shrunk(Chart chart, const std::function<bool(const Chart&)>& fails);
 
 /// Returns the chart as text, for the message of a failed test.

@@ -110,7 +110,8 @@ struct Generator {
         }
     }
 
-    /// Returns a second chart. Its outputs have different names, and some of its inputs are outputs of the first chart.
+    /// Returns a second chart, whose outputs have other names than those of the first chart. Some
+    /// inputs of the second chart are outputs of the first chart.
     Chart second_chart() {
         Chart chart = random_chart(random);
         std::vector<Id<ClosedLoop::Shared>> free = orders;

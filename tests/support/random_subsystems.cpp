@@ -90,7 +90,7 @@ struct PartsGenerator {
     }
 
     /// Returns the condition of quiescence: all urgent edges of the processes from `first_process` on are disabled.
-    /// Sometimes it contains an additional condition.
+    /// Sometimes the result contains an additional condition.
     Id<Expr> settled_of(std::size_t first_process) {
         std::vector<Id<Expr>> conjuncts;
         for (auto process = static_cast<std::uint32_t>(first_process); process < network.processes.size(); ++process)

@@ -109,7 +109,7 @@ TransitionSystem random_system(Random& random) {
         System::Module part{.name = "part"};
         part.symbols.add({"p", {}, System::ParameterSymbol{}, "", {}});
         fill(part, system.exprs, random, "s");
-        part.justice.clear();  // so that the main module can name all symbols in justice conditions
+        part.justice.clear();  // justice conditions read only symbols that the main module names
         const Id<System::Module> module = system.modules.add(std::move(part));
         const Id<System::Instance> instance = system.instances.add({"part_1", module, {{0}}});
         const Table<System::Symbol> symbols = system.modules[module].symbols;

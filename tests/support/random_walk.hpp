@@ -10,8 +10,8 @@
 
 namespace grafverif {
 
-/// Returns a run of `moves` moves. It ends earlier if no move is possible, at a model error, or if two stored actions
-/// race.
+/// Returns a run of `moves` moves. The run ends earlier if no move is possible, if a model error
+/// occurs, or if two stored actions race.
 inline Run random_walk(const Network& network, Random& random, int moves) {
     Run run;
     NetworkState state = initial_state(network);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// AIGER 1.9 reader and simulator for the ASCII and the binary form, based on the specification alone. It is the
-// reference for exported files.
+// AIGER 1.9 reader and simulator for the ASCII and the binary form, based on the specification
+// alone. The reader is the reference for exported files.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// BTOR2 reader and simulator for the exported subset, based on the specification alone. It is the reference for
-// exported files.
+// BTOR2 reader and simulator for the exported subset, based on the specification alone. The reader
+// is the reference for exported files.
 #pragma once
 
 #include <cstdint>

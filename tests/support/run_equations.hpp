@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Executes equations directly, cycle by cycle, without a network. This is the reference for the comparison of equations
-// with the interpreter, and for tests of single cycles.
+// Executes equations directly, cycle by cycle, without a network. This implementation is the
+// reference for the comparison of equations with the interpreter, and for tests of single cycles.
 #pragma once
 
 #include <cstdint>
@@ -40,7 +40,7 @@ struct EquationsCycle {
     bool no_value = false;
     bool out_of_range = false;
     bool endless = false;
-    bool torn = false;  ///< an `activated` or `deactivated` value of a step contradicts its activity before and after
+    bool torn = false;  ///< an `activated` or `deactivated` value contradicts the step's activity
 };
 
 /// True if `timer` has expired.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// PLC simulator for randomized tests. It executes programs and function blocks in Structured Text call by call as
-// specified in IEC 61131-3, with TON, TOF and SEL of the standard library. It is independent of charts and equations.
+// PLC simulator for randomized tests. The simulator executes programs and function blocks in
+// Structured Text call by call as specified in IEC 61131-3, with TON, TOF and SEL of the standard
+// library. The simulator is independent of charts and equations.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Executes a TransitionSystem directly, state by state, without a model checker. This is the reference for comparisons
-// with the Equations, and for tests of single steps.
+// Executes a TransitionSystem directly, state by state, without a model checker. This
+// implementation is the reference for comparisons with the Equations, and for tests of single
+// steps.
 #pragma once
 
 #include <cstdint>
@@ -29,8 +30,8 @@ SystemState first_state(const TransitionSystem& system, const Choose& choose);
 /// an invariant forbids the state. Calls `choose` for every choice and every free variable, in a fixed order.
 std::optional<SystemState> step_taken(const TransitionSystem& system, const SystemState& state, const Choose& choose);
 /// Returns every successor state once. The function combines only permitted choices of each instance, so that automata
-/// without a move do not increase the number of combinations. It returns nothing if free variables and choices have
-/// more than `limit` combinations.
+/// without a move do not increase the number of combinations. Returns nothing if free variables and
+/// choices have more than `limit` combinations.
 std::optional<std::vector<SystemState>> successors(const TransitionSystem& system, const SystemState& state,
                                                    std::size_t limit = 100'000);
 /// Returns every initial state, with the same limit.

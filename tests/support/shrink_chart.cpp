@@ -16,7 +16,8 @@ namespace {
 /// The elements that the copy omits, and the replacements of conditions, which are terms of the original.
 struct Cut {
     std::vector<bool> steps = {}, transitions = {}, continuous = {}, stored = {}, forcing = {};
-    /// Replacements by index. An event is replaced only if it is present.
+    /// Replacements by index. The replacement of an event is used only for an action that has an
+    /// event.
     std::vector<Id<Expr>> conditions = {}, assignations = {}, values = {}, events = {};
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The number of random cases of a randomized test. This is a small number by default, and the environment variable
-// GRAFVERIF_TEST_SIZE multiplies it.
+// The number of random cases of a randomized test. The number is small by default, and the
+// environment variable GRAFVERIF_TEST_SIZE multiplies it.
 #pragma once
 
 #include <algorithm>

@@ -23,7 +23,8 @@ Id<tree::Expr> Trees::node(tree::Op op, std::initializer_list<Id<tree::Expr>> op
 }
 
 Id<tree::Expr> Trees::number(std::int64_t value) {
-    // The absolute value of the least number exceeds the greatest number, so a difference is written.
+    // The absolute value of the least number exceeds the greatest number, so the least number is
+    // written as a difference.
     if (value == std::numeric_limits<std::int64_t>::min()) return node(tree::Op::Minus, {number(value + 1), number(1)});
     const Id<tree::Expr> id = node(tree::Op::Number, {});
     file_->exprs[id].value = value < 0 ? -value : value;
@@ -94,7 +95,7 @@ Id<tree::Expr> Trees::expression(const Exprs& exprs, Id<Expr> root,
     const Id<tree::Expr> id = node(tree_op(written.op), {});
     for (const Id<Expr> operand : exprs.operands(root)) {
         const Id<tree::Expr> child = expression(exprs, operand, leaf);
-        file_->exprs[child].bracketed = written.op == Op::Or;  // this disambiguates `a || (b && c)`
+        file_->exprs[child].bracketed = written.op == Op::Or;  // brackets, as in `a || (b && c)`
         tree::append(file_->exprs, id, child);
     }
     return id;

@@ -24,7 +24,8 @@ public:
 
     Id<tree::Expr> number(std::int64_t value);
     Id<tree::Expr> duration(std::int64_t milliseconds);
-    Id<tree::Expr> path(std::string_view text);  ///< Returns the expression `a.b.c`.
+    Id<tree::Expr> path(std::string_view text);  ///< returns the expression `a.b.c`
+
     /// Converts `root`, with leaves from `leaf`.
     Id<tree::Expr> expression(const Exprs& exprs, Id<Expr> root,
                               const std::function<Id<tree::Expr>(const Expr&)>& leaf);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Reads an exported UPPAAL project back into a Network, so that tests can check that the project is complete. It reads
-// original names from the map in the header, and roles from the groups of declarations. The variables that a template
-// reads and writes are in its summary, and the properties are in the queries.
+// Reads an exported UPPAAL project back into a Network, so that tests can check that the project is
+// complete. The reader obtains original names from the map in the header, and roles from the groups
+// of declarations. The variables that a template reads and writes are in its summary, and the
+// properties are in the queries.
 //
 // The result omits elements that a project does not contain: locations in source files, properties without a query, and
 // `settled` if no property reads it.

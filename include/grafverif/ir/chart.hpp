@@ -2,8 +2,9 @@
 // Chart: a GRAFCET (IEC 60848) as written, after names are resolved and before any evolution rule is applied.
 //
 // A Chart can represent every construct of the standard. `derive`, which translates a Chart to Equations, rejects the
-// constructs that it cannot translate exactly. Expressions are stored in `exprs`. Apart from constants, their leaves
-// are Variable (index in `variables`), Step (step variable; index in `steps`) and Timed (index in `time_conditions`).
+// constructs that it cannot translate exactly. Expressions are stored in `exprs`; apart from
+// constants, their leaves are Variable (index in `variables`), Step (step variable; index in
+// `steps`) and Timed (index in `time_conditions`).
 //
 // Invariants (see verify): every id is in its table; every condition is Boolean; every stored value has the type of its
 // target. Names are unique in their scope (variables in the chart, steps in their partial chart, transitions in the
@@ -85,7 +86,7 @@ struct Chart {
     /// (`watched`) becomes true, and false `fall_ms` milliseconds after v becomes false.
     struct TimeCondition {
         std::int64_t rise_ms = 0;
-        Id<Expr> watched = {};  ///< the Boolean term v
+        Id<Expr> watched = {};  ///< the observed Boolean term v
         std::int64_t fall_ms = 0;
         Span origin = {};
         bool operator==(const TimeCondition&) const = default;
@@ -137,6 +138,7 @@ struct Chart {
     /// `accept CODE SUBJECT "reason"` accepts a finding about the chart.
     struct Acceptance {
         std::string code = {};  ///< finding code (see ir/finding.hpp)
+
         /// Subject of the finding, such as `X4`, `t3` or `LOCK`; if empty, findings about any subject are accepted.
         /// With the subject `H.`, findings about the elements of the partial chart `H` are accepted.
         std::string subject = {};

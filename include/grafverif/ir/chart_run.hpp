@@ -32,7 +32,7 @@ namespace grafverif {
 struct ChartRun {
     enum class Kind { Plant, Environment, Timer, Controller, Delay, Observer };
     enum class Role {
-        Input,     ///< input of a controller that the plant writes
+        Input,     ///< controller input that the plant writes
         Output,    ///< output that a controller writes
         Internal,  ///< internal variable of a controller
         Image,     ///< value of an output with stored actions, before it is written to the plant
@@ -47,6 +47,7 @@ struct ChartRun {
     struct Step {
         StepName name = {};           ///< name of the step in its chart
         std::string controller = {};  ///< name of its controller; empty if the loop has only one controller
+
         /// The shortest unambiguous name, such as `2`; otherwise the full name (see shorten_names).
         std::string short_name = {};
 
@@ -60,6 +61,7 @@ struct ChartRun {
     };
     struct Timer {
         std::string name = {};  ///< name of the controller that has the timer
+
         /// Name of the observed step variable or variable, such as `X2` or `a`; empty if another term is observed.
         std::string watched = {};
         std::optional<std::size_t> step = {};   ///< index of the observed step in Controller::steps
@@ -96,23 +98,26 @@ struct ChartRun {
         enum class Writes { No, IfStable, Yes };
         Id<Controller> controller = {};
         bool begins = false;  ///< true if a cycle of the controller begins
+
         /// True if a scan of a controller with a task cycle begins. False for the scan at power-on, for which `starts`
         /// is true.
         bool scans = false;
         bool starts = false;   ///< true for the first evolution after power-on, in which all timer outputs are false
         bool samples = false;  ///< true if inputs and timer outputs are sampled
-        bool evolves = false;  ///< true if the act contains one evolution
+        bool evolves = false;  ///< true if the controller executes one evolution
         Writes writes = Writes::No;             ///< writing of the outputs; IfStable: only if the situation is stable
         std::vector<std::int64_t> inputs = {};  ///< sampled values of the inputs
         std::vector<bool> timers = {};          ///< sampled values of the timer outputs
+
         /// For an evolution: true for each timer whose time t1 had elapsed when the situation changed. If `done` is
         /// empty, the values of `timers` apply.
         std::vector<bool> done = {};
-        /// If `evolves`: the transitions that the evolution clears. If the act only samples: the transitions that the
-        /// next evolution clears.
+        /// If `evolves`: the transitions that the evolution clears. If the controller only samples
+        /// its inputs: the transitions that the next evolution clears.
         std::vector<Id<Transition>> fired = {};
-        /// For a scan of a PLC program with free inputs: the time since the previous scan in milliseconds. Empty for
-        /// all other controllers, whose times are the times of the states.
+        /// For a scan of a PLC program with free inputs: the time since the previous scan in
+        /// milliseconds. Empty for all other controllers: `State::time_ms` contains the times of
+        /// their scans.
         std::optional<std::int64_t> elapsed_ms = {};
         /// Values of the flags `stable` and `race` after the evolution; empty if the model does not have these flags.
         std::optional<bool> stable = {}, race = {};
@@ -141,8 +146,12 @@ struct ChartRun {
         Kind kind = Kind::Plant;
         std::string component = {};  ///< the instance, controller or timer; empty for a delay
         std::string what = {};       ///< description such as `going_out, H 4 -> 6`; may be empty
-        std::vector<std::vector<Id<Transition>>> fired = {};  ///< one list for each evolution that cleared transitions
-        /// True for a row of an auxiliary move of the translated model. Such a row is displayed only on request.
+
+        /// Cleared transitions: one list for each evolution that cleared transitions.
+        std::vector<std::vector<Id<Transition>>> fired = {};
+
+        /// True for a row of an auxiliary move of the translated model, which is displayed only on
+        /// request.
         bool internal = false;
         std::size_t moment = 0;  ///< index of the event whose state is the state after this row
         bool operator==(const Row&) const = default;
@@ -184,14 +193,15 @@ struct ChartRun {
     std::vector<Event> moments = {};
     /// Index of an event; the events from this index on repeat forever. Empty if the run is finite.
     std::optional<std::size_t> loop = {};
-    /// Index of the first move that is not possible in the state before it. The run contains neither this move nor any
-    /// later move. Empty if all moves are possible.
+    /// Index of the first move that is not possible in the state reached by the previous moves. The
+    /// run contains neither this move nor any later move. Empty if all moves are possible.
     std::optional<std::size_t> broken_at = {};
     std::vector<Row> rows = {};
     /// Index of the first row of the repeated events; empty if the run is finite.
     std::optional<std::size_t> loop_from = {};
     std::vector<Cause> causes = {};  ///< causes of the violation, ordered by their first event
     bool causes_exact = true;        ///< false: causes may be missing or incorrect
+
     /// Event indices of a smallest set of free moves without which the violation does not occur
     /// (explain/counterfactual.hpp); empty if not determined.
     std::vector<std::size_t> left_out = {};

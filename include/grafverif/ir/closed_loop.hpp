@@ -42,6 +42,7 @@ struct ClosedLoop {
         Type type = {};
         Id<Controller> reader = {};  ///< the first controller with an input of this name; invalid if there is none
         Id<Controller> writer = {};  ///< the controller that writes the variable; invalid if there is none
+
         /// Variable of the chart of `writer` or, without a writer, of the chart of `reader`.
         Id<Chart::Variable> variable = {};
         Span origin = {};
@@ -56,6 +57,7 @@ struct ClosedLoop {
     struct Instance {
         std::string name = {};
         Id<Component> component = {};  ///< index in Model::components
+
         /// Value of each parameter; missing arguments have been replaced by the defaults of the component.
         std::vector<Argument> arguments = {};
         Id<Component::Location> initial = {};
@@ -65,8 +67,9 @@ struct ClosedLoop {
     };
 
     /// A fault: from power-on or from any later time, the instance `of` may behave permanently as another component.
-    /// `behaviour` is an instance of this other component; it writes the variables that `of` writes, and its name is
-    /// the name of the fault. Only `faults` reads this table (pipeline/variants/fault_model.hpp).
+    /// `behaviour` is an instance of the component of the fault: it writes the variables that `of`
+    /// writes, and its name is the name of the fault. Only the command `faults` reads the declared
+    /// faults (pipeline/variants/fault_model.hpp).
     struct Fault {
         Id<Instance> of = {};
         Instance behaviour = {};
@@ -134,8 +137,8 @@ struct ClosedLoop {
         Id<Component::Variable> variable = {};
         bool operator==(const OwnSymbol&) const = default;
     };
-    /// The output of a timer of a chart. The time condition `t1/v/t2` (IEC 60848, time-dependent conditions) reads v
-    /// and this output.
+    /// The output of a timer of a chart. The time condition `t1/v/t2` (IEC 60848, time-dependent
+    /// conditions) reads v and the output of its timer.
     struct TimeSymbol {
         Id<Controller> controller = {};
         /// Time condition of the chart; invalid for a timer of the actions of `step`.
@@ -190,12 +193,13 @@ std::vector<std::string> verify(const ClosedLoop& loop, const Model& model);
 /// Returns the shared variables that an argument reads or writes, without duplicates.
 std::vector<Id<ClosedLoop::Shared>> shared_in(const ClosedLoop& loop, const ClosedLoop::Argument& argument);
 
-/// Returns the index of the internal variable `symbol` in the arguments of its process in a Network. These arguments
-/// are the arguments of the instance that are not terms, followed by the internal variables of the instance.
+/// Returns the index of the internal variable `symbol` in the arguments of its process in a
+/// Network. The arguments of the process are the arguments of the instance that are not terms,
+/// followed by the internal variables of the instance.
 std::size_t own_argument(const ClosedLoop& loop, const ClosedLoop::OwnSymbol& symbol);
 
-/// True if the chart has the timer of `symbol`: the chart reads the time condition, or an action of `symbol.step` ends
-/// a delay or time limit after `symbol.rise_ms`.
+/// True if the chart has the timer of `symbol`: the chart reads the time condition, or a delay or
+/// time limit of an action of `symbol.step` ends `symbol.rise_ms` after the activation of the step.
 bool is_waited_for(const Chart& chart, const ClosedLoop::TimeSymbol& symbol);
 /// True if all timers that a property of the loop reads exist. A timer may be missing if a chart was changed after the
 /// property was read.

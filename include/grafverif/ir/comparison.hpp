@@ -55,6 +55,7 @@ struct Comparison {
         std::string situation = {};              ///< situation after the scan: `{2, 5}`
         std::string stop = {};                   ///< reason why the chart wrote no outputs; empty if it wrote outputs
         bool run_time_fault = false;             ///< true if `stop` reports a run-time fault of a program
+
         /// True if the outputs of both responses are equal, or both charts have stopped.
         bool same(const ScanOutputs& other) const {
             return stop.empty() == other.stop.empty() && (!stop.empty() || outputs == other.outputs);
@@ -70,6 +71,7 @@ struct Comparison {
     std::int64_t resolution_ms = 0;
     std::array<bool, 2> programs = {};             ///< for each side: true for a PLC program, false for a chart
     std::optional<std::int64_t> interval_ms = {};  ///< fixed time between two scans; empty if this time is arbitrary
+
     /// `ignored`: outputs that are not compared. `restricted`: inputs of a program to which only the values in the
     /// range of the corresponding input of the chart are applied.
     std::vector<std::string> ignored = {}, restricted = {};
@@ -77,6 +79,7 @@ struct Comparison {
     /// output.
     std::array<std::string, 2> stop_outputs = {};
     bool settles = false;  ///< true if programs repeat each scan until no variable changes
+
     /// `faulty`: a run-time fault occurs in the last scan; `constrained`: constraints are assumed.
     bool faulty = false, constrained = false;
     std::vector<Variable> inputs = {}, outputs = {};

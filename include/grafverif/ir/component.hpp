@@ -3,9 +3,10 @@
 // language and with resolved names. An edge is the 7-tuple (l, g, t, u, a, r, l') of CEP13 2.3: guard over data, clock
 // constraint, urgency, assignments, clock resets.
 //
-// Expressions are stored in `exprs`. Apart from constants, their leaves are Parameter (index in `parameters`) and
-// Variable (index in `variables`, the internal variables of the component). A duration is a Duration leaf
-// (milliseconds), a Parameter of kind Duration, a sum of durations, or an integer times a duration.
+// Expressions are stored in `exprs`; apart from constants, their leaves are Parameter (index in
+// `parameters`) and Variable (index in `variables`, the internal variables of the component). A
+// duration is a Duration leaf (milliseconds), a Parameter of kind Duration, a sum of durations, or
+// an integer times a duration.
 //
 // Invariants (see verify): every id is in its table; an urgent edge has no clock constraint (CEP13 2.3); an invariant
 // has upper bounds only; only outputs and internal variables are assigned; the types of operands, arguments and
@@ -31,7 +32,8 @@ struct Component {
         std::string name = {};
         ParameterKind kind = ParameterKind::Input;
         ValueKind value = ValueKind::Boolean;
-        /// Range of an integer output; the bounds read only constants that are declared before the output.
+        /// Range of an integer output; the bounds contain only constants that are declared before
+        /// the output.
         std::optional<Id<Expr>> low = {}, high = {};
         /// Default of a constant, or value of an output at power-on (if empty: 0 or, for an integer, `low`).
         std::optional<Id<Expr>> initial = {};
@@ -85,6 +87,7 @@ struct Component {
         bool urgent = false;
         Id<Expr> guard = {};
         std::vector<ClockConstraint> constraint = {};  ///< conjunction of clock constraints
+
         /// The assignments of the edge. Assignments are executed in order; each assignment reads the results of the
         /// previous assignments.
         std::vector<Assignment> assignments = {};

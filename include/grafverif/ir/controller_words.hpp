@@ -34,6 +34,7 @@ struct ControllerWords {
         /// Index in `steps` of the step that the timer observes; empty if the timer observes another term.
         std::optional<std::size_t> step = {};
         std::int64_t rise_ms = 0, fall_ms = 0;  ///< times t1 and t2 of the time condition `t1/v/t2`
+
         /// Name of the step variable or other variable that the timer observes, such as `X2` or `a`; empty if the timer
         /// observes a term that is not a variable.
         std::string watched = {};

@@ -46,7 +46,7 @@ struct Drawing {
     enum class Anchor { Start, Middle, End };
     /// One line of text.
     struct Text {
-        Point at = {};  ///< anchor on the base line
+        Point at = {};  ///< anchor point on the base line of the text
         std::vector<Run> runs = {};
         Anchor anchor = Anchor::Start;
         int size = 12;          ///< font size in pixels
@@ -78,6 +78,7 @@ enum class Notation { Iec, Text };
 struct DrawOptions {
     Notation notation = Notation::Iec;
     std::vector<Id<Chart::Step>> situation = {};  ///< steps to be marked as active
+
     /// Number of columns into which a long chart is split; 0 selects a number that fits the shape of a page.
     int columns = 0;
     /// Prefix of all ids; different prefixes make the ids of several charts on one page distinct.

@@ -10,10 +10,10 @@
 //   (c) outputs             o  = or over the actions of X_s' and the assignation condition              CEP13 (13)
 //                           observed terms: V_e' = e; timers: T = X_s' or V_e'
 // Leaves of `exprs` are only Variable. The terms of (b) and (s) read firing conditions (of this cycle), step
-// activities, internals, previous values and inputs, with their values before the cycle. The terms of (a) and (e) read
-// the same variables except firing conditions. The terms of (c) read step activities and internals after the cycle, and
-// the inputs and timer outputs sampled at its start. Hence rise(e) or fall(e) is true only in the first cycle after the
-// change of e.
+// activities, internals, previous values and inputs, with their values before the cycle. The terms
+// of (a) and (e) read the same variables as those of (b) and (s), except firing conditions. The
+// terms of (c) read step activities and internals after the cycle, and the inputs and timer outputs
+// sampled at its start. Hence rise(e) or fall(e) is true only in the first cycle after e changes.
 //
 // Time: a timer observes the value of its variable v after the previous cycle. If v is a term that reads an input, v
 // may have changed since the previous cycle; then the term of the time condition contains v explicitly: `3s/a` is `a
@@ -21,8 +21,8 @@
 // negation of this condition (IEC 60848, continuous actions).
 //
 // The first evolution activates the initial steps: no transition is cleared, the actions on activation of the initial
-// steps are executed (Stored::first), no rising or falling edge occurs, and previous values and observed terms are
-// initialized. The first evolution changes no other values (JESA13: the evolution that leaves INIT).
+// steps are executed (Stored::first), no rising or falling edge occurs, and previous values and
+// observed terms are initialized; no other value changes (JESA13: the evolution that leaves INIT).
 //
 // Invariants (see verify): ids are in their tables; each step, output and stored variable has one equation; conditions
 // are Boolean; firing conditions do not read firing conditions.
@@ -81,13 +81,15 @@ struct Equations {
     struct Write {
         Id<Expr> trigger = {};
         Id<Expr> value = {};
-        /// True for an action on the activation of an initial step. The first evolution also executes such an action.
+        /// True for an action on the activation of an initial step, which the first evolution also
+        /// executes.
         bool initial = false;
         Span origin = {};
         bool operator==(const Write&) const = default;
     };
     struct Stored {
         Id<Variable> variable = {};  ///< internal variable, or output with stored actions
+
         /// Chain of conditional terms over `writes`; its last alternative is the variable itself. If only Boolean
         /// constants are stored, the term is `set or (v and not reset)`.
         Id<Expr> next = {};
@@ -104,6 +106,7 @@ struct Equations {
     struct Conflict {
         Id<Expr> condition = {};  ///< term over firing conditions and values before the cycle
         Span origin = {};  ///< position of one of the two forcing orders, or of the statement with the run-time fault
+
         /// Condition of this fault in the first evolution; invalid if the fault cannot occur in the first evolution.
         Id<Expr> first = {};
         bool operator==(const Conflict&) const = default;
@@ -112,6 +115,7 @@ struct Equations {
     /// The value, in the previous cycle, of a term whose edges are read.
     struct Previous {
         Id<Variable> variable = {};  ///< variable P_e of the previous value
+
         /// Term e, which reads values before the cycle; in the first evolution, it reads initial values.
         Id<Expr> value = {};
         Span origin = {};
@@ -164,8 +168,8 @@ struct Equations {
     /// edge. `stable` reads firing conditions and values before the cycle. For a program: true if the scan changes
     /// nothing.
     Id<Expr> stable = {};
-    /// True for a PLC program. In this case, each cycle, including the first evolution, is one scan; terms share many
-    /// subterms.
+    /// True for a PLC program: each cycle, including the first evolution, is one scan, and terms
+    /// share many subterms.
     bool is_program = false;
     Span origin = {};
 
@@ -180,6 +184,7 @@ struct Kept {
     Id<Equations::Variable> variable = {};
     Id<Expr> next = {};
     Id<Expr> first = {};  ///< value after the first evolution; the value at power-on if invalid
+
     /// True if `next` and `first` read values after the cycle, false if `next` and `first` read values before the
     /// cycle.
     bool after = false;

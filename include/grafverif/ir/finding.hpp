@@ -4,12 +4,13 @@
 //
 // A finding states that an event is possible, with a shortest run to the event as evidence, or that an event is
 // impossible. For an impossible event, the evidence, if any, is a run that comes as close to the event as possible. A
-// run is shorter than another run if it has fewer input changes. If both have the same number of input changes, the run
-// with fewer evolutions is shorter. The search for possible events takes into account only the order in which timer
-// outputs change, not the times of these changes. Afterwards, concrete times are computed for the run, and Timing
-// states if such times exist. Therefore, an event that the search finds impossible is impossible for all times. A
-// finding that elements are never used again is also valid for all times; its evidence is a shortest run to a situation
-// after which these elements are never used.
+// run is shorter than another run if it has fewer input changes. Of two runs with the same number
+// of input changes, the run with fewer evolutions is shorter. The search for possible events takes
+// into account only the order in which timer outputs change, not the times of these changes.
+// After the search, concrete times are computed for the run, and Timing states if such times exist.
+// Therefore, an event that the search finds impossible is impossible for all times. A finding that
+// elements are never used again is also valid for all times; its evidence is a shortest run to a
+// situation after which these elements are never used.
 //
 // Invariants (see verify): every code is one of finding_kinds(); an accepted finding has a reason.
 #pragma once
@@ -73,6 +74,7 @@ struct OpenQuestion {
     std::string code = {};  ///< code of the potential finding
     std::string subject = {};
     std::size_t instants = 0;  ///< no run with at most this number of input changes is evidence
+
     /// For a counter: no run with at most this number of evolutions is evidence; 0 if unknown.
     std::int64_t evolutions = 0;
 
@@ -87,6 +89,7 @@ struct Analysis {
     std::vector<std::string> notes = {};  ///< assumptions that apply to all findings
     std::size_t questions = 0;            ///< number of queries
     std::vector<OpenQuestion> open = {};  ///< queries without a result; all other queries have been decided
+
     /// Reason why the queries in `open` are undecided; empty if `open` is empty.
     std::string obstacle = {};
     std::size_t instants = 0;  ///< number of input changes to the farthest explored situation
@@ -107,8 +110,8 @@ struct FindingKind {
 /// Returns all codes, in the order of reports.
 std::span<const FindingKind> finding_kinds();
 
-/// True if the code concerns elements that are never used again. A query for such a finding is decided only if all
-/// reachable situations are known.
+/// True if the code concerns elements that are never used again. A query about elements that are
+/// never used again is decided only if all reachable situations are known.
 bool is_trap(std::string_view code);
 
 /// Returns `error`, `warning` or `note`.

@@ -9,12 +9,14 @@
 //               and clears no transition; with stability search, the first cycle continues until the situation is
 //               stable.
 //   instability total instability: under these inputs no stable situation is ever reached (stability search only).
-//               The controller writes no outputs and never reads its inputs again.
+//               Under total instability, the controller writes no outputs and never reads its
+//               inputs again.
 //
-// With stability search, INIT has no evolution for inputs under which the initial situation is stable, if two
-// conditions hold. First, the first evolution changes no variable and starts no timer. Second, the initial situation
-// emits the same outputs as power-on. Without stability search, the controller always leaves INIT, because the first
-// cycle clears no transition but the second cycle can.
+// The first evolution is *visible* if it changes a variable, starts a timer, or leads to a
+// situation that emits other outputs than power-on. With stability search, if the first evolution
+// is not visible, INIT has no evolution for inputs under which the initial situation is stable.
+// Without stability search, the controller always leaves INIT, because the first cycle clears no
+// transition but the second cycle can.
 //
 // Timers are inputs that a tester can influence only by waiting. Without a fall time, the output of a timer is false
 // while its step is inactive and immediately after the step is activated. The output rises when the time has elapsed,
@@ -65,6 +67,7 @@ struct LocationAutomaton {
         std::string name = {};
         Type type = {};
         Id<Step> timed = {};  ///< for the output of a timer that observes a step: this step
+
         /// For the output of a timer that observes a level: this level. If `timed` and `watched` are invalid, the
         /// element is an input of the chart.
         Id<Stored> watched = {};
@@ -95,6 +98,7 @@ struct LocationAutomaton {
         Id<Location> from = {}, to = {};
         Id<Expr> condition = {};
         std::vector<Id<Input>> restarted = {};  ///< timers whose observed term became true and holds in `to`
+
         /// Timers with a fall time whose observed term became false during the evolution. A timer that also has a rise
         /// time is listed only if its observed term held in `from`. The fall time starts only if the term had been true
         /// for the rise time.

@@ -6,9 +6,9 @@
 //               written after the inputs are applied or the wait has ended
 //
 // With stability search, INIT is merged with the location of the initial situation if both respond to all inputs with
-// the same outputs and next states. Without stability search, the first cycle only activates the initial steps. If this
-// first cycle leads to the same state for all inputs, `activation` represents the cycle, and the first transition of
-// the machine represents the second cycle.
+// the same outputs and next states. Without stability search, the first cycle only activates the
+// initial steps. If the first cycle leads to the same state for all inputs, `activation` represents
+// the cycle, and the first transition of the machine represents the second cycle.
 //
 // A condition represents a set of input combinations without enumerating them. The inputs are the inputs of the chart,
 // without timers. A `wait` transition lets time pass until the next timer event, with constant inputs. For each state,

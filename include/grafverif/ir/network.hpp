@@ -9,10 +9,10 @@
 // pass while every invariant holds and no urgent edge is enabled. Each assignment uses the results of the previous
 // assignments. An assignment of a value outside the range of its target is a model error (`out-of-range`).
 //
-// Expressions are stored in `exprs`. Apart from constants, the leaves of these expressions are Variable (index in
-// `variables`), Parameter (index in the `parameters` of the current template) and, in properties and `settled`, At. A
-// `scratch` variable stores a value only within one edge: it is written before it is read, and does not belong to the
-// state.
+// Expressions are stored in `exprs`; apart from constants, their leaves are Variable (index in
+// `variables`), Parameter (index in the `parameters` of the current template) and, in properties
+// and `settled`, At. A `scratch` variable stores a value only within one edge: it is written before
+// it is read, and does not belong to the state.
 //
 // Invariants (see verify): ids are in their tables; guards are Boolean, over variables and parameters; urgent edges
 // have no clock constraint; whenever an urgent edge is taken, the invariant of its target location holds; arguments
@@ -142,6 +142,7 @@ struct Network {
     struct Timer {
         Id<Process> process = {};
         Id<Location> done = {};  ///< location of the timer process after t1 has elapsed; invalid if the timer has no t1
+
         /// True: the timer restarts whenever its step is activated, even if the step was deactivated in the same
         /// instant. False: the timer observes only the activity of its step (CEP13 Fig. 33b), and does not notice that
         /// the step was deactivated and activated again in one instant.
@@ -155,6 +156,7 @@ struct Network {
         Id<Location> waiting = {};  ///< location W (the PLC waits for the next cycle) of the template of `process`
         Id<Variable> stable = {};
         std::vector<Timer> timers = {};  ///< timers in the order of `words`
+
         /// For each variable of the controller's equations: the corresponding variable of the network.
         std::vector<Id<Variable>> variables = {};
         /// For each output: the variable that stores the new value until the output is written; invalid if the output
@@ -192,7 +194,8 @@ std::vector<std::string> verify(const Network& network);
 /// True if the edge calls the procedure; false if `procedure` is invalid.
 bool has_call(const Network::Edge& edge, Id<Network::Procedure> procedure);
 
-/// Returns the value of `bound` for the arguments of `process`. A clock bound reads only constants.
+/// Returns the value of `bound` for the arguments of `process`. A clock bound contains only
+/// constants.
 std::int64_t bound_value(const Network& network, const Network::Process& process, Id<Expr> bound);
 
 /// True if the invariant of the target of `edge` holds whenever the edge is taken without delay: each clock that this

@@ -24,13 +24,14 @@ enum class Pattern {
     ReachableAllSteps,  ///< every step of every chart is active in some reachable state
     ExactlyOneOf,       ///< in every reachable state, exactly one of the operands holds
     AlwaysPossible,     ///< from every reachable state, a state with p is reachable
-    Watched,  ///< the Sentence `Property::watch`, decided by an observer automaton (docs/reference/properties.md)
+    Watched,            ///< `Property::watch`, which an observer automaton decides (docs/reference/properties.md)
     RawUppaal,
     RawCtl,
     RawLtl,  ///< `raw`: formula for an external tool
 };
 
-/// Maximum count of a Sentence, because the observer of a Sentence has two locations per unit of the count.
+/// Maximum count of a `Sentence`: the observer of a `Sentence` has two locations per unit of the
+/// count.
 inline constexpr std::int64_t greatest_count = 100;
 
 /// A property that an observer automaton decides: it has a duration, a count or a scope, or its kind is Precedence. The

@@ -35,6 +35,7 @@ struct PropertyResult {
     Verdict verdict = {};
     std::string text = {};               ///< text of the property in the model
     std::optional<ChartRun> trace = {};  ///< counterexample or witness
+
     /// What an untimed verdict implies for the timed closed loop; empty for a timed check.
     std::string preservation = {};
     std::string place = {};  ///< `file:line` of the property, if the sources are available

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// StepName: the name of a step, divided into the name of its partial chart and its name within this chart.
+// StepName: the name of a step, divided into the name of its partial chart and the name of the step
+// within this partial chart.
 #pragma once
 
 #include <string>

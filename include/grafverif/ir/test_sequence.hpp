@@ -7,12 +7,13 @@
 // after each scan. A scan reads the inputs, executes the chart in `mode` and writes the outputs. A step with a positive
 // `wait_ms` changes no input.
 //
-// Without stability search, `cycles` is 1 if a second scan with the same inputs would lead to another state. `cycles`
-// is also 1 if the user requested one cycle per step. In all other cases, `cycles` is 2; the second scan shows that the
-// controller stays in its state.
+// Without stability search, `cycles` is 1 if a second scan with the same inputs would lead to
+// another state. `cycles` is also 1 if the user requested one cycle per step; otherwise, `cycles`
+// is 2, and the second scan shows that the controller stays in its state.
 //
 // Without stability search the first scan after power-on clears no transition: it activates the initial steps.
-// `activation` represents this scan, which has the inputs of step 1 and does not count as a test step.
+// `activation` represents the first scan after power-on, which has the inputs of step 1 and does
+// not count as a test step.
 //
 // Invariants (see verify): there is at least one sequence, and each sequence has at least one step. The numbers of
 // values match the inputs and outputs, and values are in their ranges; `cycles` is positive. A step with a positive

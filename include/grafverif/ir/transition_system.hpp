@@ -115,6 +115,7 @@ struct TransitionSystem {
         Id<Expr> samples = {};  ///< true if inputs and timer outputs are sampled; invalid if equal to `evolves`
         Id<Expr> evolves = {};  ///< true if the step is one evolution; invalid if all steps are evolutions
         Id<Expr> scans = {};    ///< true if a scan of the task cycle begins; invalid without a task cycle
+
         /// True if outputs are written; invalid if each evolution writes the outputs as the execution mode requires.
         Id<Expr> writes = {};
         bool operator==(const Controller&) const = default;
@@ -131,8 +132,9 @@ struct TransitionSystem {
         bool operator==(const Component&) const = default;
     };
 
-    /// A subsystem: a set of instances of an interleaved system. These instances share no variables with instances of
-    /// other subsystems; all subsystems share only time and the choice of the moving instance.
+    /// A subsystem: a set of instances of an interleaved system that share no variables with
+    /// instances of other subsystems. All subsystems share only time and the choice of the moving
+    /// instance.
     struct Subsystem {
         std::string name = {};  ///< displayed name of the subsystem
         std::vector<Id<Instance>> instances = {};
@@ -140,6 +142,7 @@ struct TransitionSystem {
         /// the subsystem is omitted.
         std::vector<std::pair<Id<Symbol>, Id<Expr>>> without = {};
         Id<Expr> moves = {};  ///< true in a step in which an instance of this subsystem moves
+
         /// Conjunct of `settled` that concerns this subsystem; invalid if `settled` cannot be decomposed.
         Id<Expr> settled = {};
         bool operator==(const Subsystem&) const = default;
@@ -147,9 +150,11 @@ struct TransitionSystem {
     /// Independent subsystems, of which at most one moves in a step. All terms are over symbols of main.
     struct Subsystems {
         std::vector<Subsystem> each = {};  ///< the subsystems; empty if the system cannot be decomposed
+
         /// True in a step in which no subsystem moves; with discrete time, time passes in this step.
         Id<Expr> waits = {};
-        /// Only with discrete time. `can_move`: some instance can move. `can_wait`: time can pass.
+        /// True if some instance can move (`can_move`) or if time can pass (`can_wait`); valid only
+        /// with discrete time.
         Id<Expr> can_move = {}, can_wait = {};
         bool operator==(const Subsystems&) const = default;
     };
@@ -164,6 +169,7 @@ struct TransitionSystem {
     Table<Instance> instances = {};            ///< module instances in main
     std::vector<Id<Instance>> observers = {};  ///< observers, which monitor the steps of this system
     Table<Property> properties = {};           ///< properties over symbols of main
+
     /// Condition for a quiescent state, over symbols of main: the meaning of `at stable`. Every controller is stable
     /// and its outputs are up to date, so that one more cycle with the same inputs would change only previous values.
     Id<Expr> settled = {};

@@ -53,6 +53,7 @@ enum class UnknownReason {
     Faulty,       ///< the model has an error: see ModelError
     Failed,       ///< the external program gave no verdict
     Unchecked,    ///< the external program reports `holds` without evidence that can be checked
+
     /// The verdict of the external program contradicts the run that it returned, the model, or the rules of IEC 60848.
     Disagrees,
 };
@@ -69,8 +70,8 @@ struct SearchScope {
     bool operator==(const SearchScope&) const = default;
 };
 
-/// Names of the instances that the input abstraction of a verdict reduced (docs/explanation/decomposition.md, "Input
-/// abstraction").
+/// Names of the instances that the input abstraction of a verdict simplified
+/// (docs/explanation/decomposition.md, "Input abstraction").
 struct InputsAbstracted {
     std::vector<std::string> chosen = {}, untimed = {}, paced = {};
     bool operator==(const InputsAbstracted&) const = default;
@@ -78,6 +79,7 @@ struct InputsAbstracted {
 
 struct Verdict {
     Id<Property> about = {};  ///< property of the model; invalid if not `declared`
+
     /// Name of the property; for a property `S` of the form `reachable all steps`, `S.X7` for step 7.
     std::string property = {};
     Pattern pattern = Pattern::Always;
@@ -92,7 +94,8 @@ struct Verdict {
     std::optional<std::uint64_t> transitions = {};
     double seconds = 0;
     SearchScope scope = {};
-    /// The input abstraction of the verdict, if one was used. In this case, `run` is not necessarily a shortest run.
+    /// The input abstraction of the verdict, if one was used; `run` is then not necessarily a
+    /// shortest run.
     std::optional<InputsAbstracted> abstraction = {};
     std::optional<Run> run = {};  ///< counterexample, or witness of a `reachable` property that holds
     Span origin = {};             ///< position of the property in the sources

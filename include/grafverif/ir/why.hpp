@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// ProofExplanation: the model elements that are necessary for the proofs of properties. An element is necessary if a
-// property fails after only this element is removed (docs/explanation/why.md).
+// ProofExplanation: the model elements that are necessary for the proofs of properties. An element
+// is necessary if a property fails when this element alone is removed (docs/explanation/why.md).
 #pragma once
 
 #include <cstddef>
@@ -34,13 +34,14 @@ struct ProofExplanation {
         std::string of = {};    ///< owner of a term, instance of an edge, or line of a statement (see name_places)
         std::size_t nth = 1;    ///< number of this element among the elements with the same name, counted from 1
         std::vector<std::string> needed_by = {};  ///< properties that fail if the element is removed
-        std::vector<std::string> open = {};       ///< properties with an unknown result without the element
+        std::vector<std::string> open = {};       ///< properties whose result is unknown if the element is removed
         Span origin = {};                         ///< position of the element, if it is a statement
         bool operator==(const ModelElement&) const = default;
     };
 
     std::vector<ProofCore> grounds = {};
     std::vector<ModelElement> things = {};  ///< examined elements, ordered by `kind` and then in the order of the model
+
     /// Instances and timers that are not necessary for any property in `grounds`. Instances and timers with an unknown
     /// result are not included.
     std::vector<std::string> unneeded_parts = {};

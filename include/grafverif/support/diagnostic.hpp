@@ -25,6 +25,7 @@ struct Fix {
 struct Diagnostic {
     Severity severity = Severity::Error;
     std::string code = {};  ///< stable kebab-case code, printed in brackets
+
     /// Position of the problem; if `where.source` is invalid, the diagnostic concerns the complete input.
     Span where = {};
     /// The problem, followed by `; ` and the remedy. The text is in lower case, with names in backticks and without a
@@ -41,8 +42,9 @@ public:
     static constexpr std::size_t limit = 50;
     using Context = std::function<Diagnostic()>;
 
-    /// Adds a diagnostic. A diagnostic with the code, position and text of a stored one is counted but not stored. For
-    /// another copy of a replicated declaration, code and position are sufficient.
+    /// Adds a diagnostic. A diagnostic with the code, position and text of a stored diagnostic is
+    /// counted but not stored. In further copies of a replicated declaration, a diagnostic is not
+    /// stored if one with its code and position is already stored.
     void add(Diagnostic diagnostic);
     /// Sets the function that returns a note for each following diagnostic, such as the copy of a replicated
     /// declaration. An empty function adds no note. Returns the previous function.

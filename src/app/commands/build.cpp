@@ -22,7 +22,8 @@ std::vector<Product> products(const Model& model, Id<ClosedLoop> loop, CommandCo
             UppaalProject project = uppaal_project(*network, job.diagnostics);
             made.push_back({{folder / (name + ".xml"), std::move(project.project)},
                             "UPPAAL project of the closed loop, for UPPAAL or `verifyta`"});
-            made.push_back({{folder / (name + ".q"), std::move(project.queries)}, "its queries, for `verifyta`"});
+            made.push_back({{folder / (name + ".q"), std::move(project.queries)},
+                            "queries of the UPPAAL project, for `verifyta`"});
         }
     }
     if (job.options.target != Target::Uppaal) {

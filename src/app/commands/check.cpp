@@ -26,7 +26,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// The trace that is written to files. This trace is the trace of the first model error, otherwise of the first
+/// The trace that is written to files: the trace of the first model error, otherwise of the first
 /// unexpected verdict, otherwise of the first verdict with a trace.
 struct Chosen {
     const ChartRun* trace = nullptr;
@@ -66,7 +66,8 @@ struct ModelSelection {
     std::optional<std::string> loop = {}, chart = {};
 };
 
-/// Returns the models to check. With `--all`, these are all loops of the file or, if it has none, all charts.
+/// Returns the models to check: with `--all`, all loops of the file or, if the file has no loop,
+/// all charts.
 std::vector<ModelSelection> aims(const Model& model, bool all, const Options& requested) {
     if (!all) return {{requested.loop, requested.chart}};
     std::vector<ModelSelection> list;
@@ -76,7 +77,8 @@ std::vector<ModelSelection> aims(const Model& model, bool all, const Options& re
     return list;
 }
 
-/// Returns text such as `set of states: P1, P2`; an empty string if the certificate proves no verdict in this way.
+/// Returns text such as `set of states: P1, P2`; an empty string if the certificate contains no
+/// verdict of this kind.
 std::string proved_text(const CertificateSummary& certificate, CertificateKind kind) {
     std::string text;
     for (const CertificateSummary::Certified& one : certificate.certified)

@@ -31,7 +31,7 @@ ProgramResult execute_separately(const grafverif::mcp::CommandRun& run) {
     return run_program(words, run.input, {run.deadline, run.stop, largest_output, {}});
 }
 
-/// Executes a command in this process. This function is used if the process also executes other code (see
+/// Executes a command in this process; used if the process also executes other code (see
 /// Streams::alone).
 ProgramResult execute_here(const grafverif::mcp::CommandRun& run) {
     std::istringstream in(run.input);

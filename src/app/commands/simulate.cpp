@@ -320,7 +320,7 @@ ExitCode simulate_loop(const Model& model, CommandContext& job, const Streams& s
 
 ExitCode simulate_chart(const Model& model, CommandContext& job, const Streams& streams) {
     const auto chart = chosen_chart(model, job);
-    if (!chart || !equations_of(model, *chart, job)) return ExitCode::Input;  // requires the equations of the chart
+    if (!chart || !equations_of(model, *chart, job)) return ExitCode::Input;  // the simulation needs the equations
     Simulation simulation(model.charts[*chart], execution_mode(model, *chart, job), detail_of(job));
     return move(simulation, {&model.charts[*chart]}, job, streams);
 }

@@ -21,8 +21,9 @@ std::uint32_t max_evolutions(const Options& options) {
     return static_cast<std::uint32_t>(options.st.max_evolutions.value_or(1000));
 }
 
-/// Writes the program if it is proved equivalent to the chart. In each case, prints the result of the comparison: to
-/// standard output, or to standard error if the program is written to standard output.
+/// Writes the program if it is proved equivalent to the chart. Always prints the result of the
+/// comparison: to standard output, or to standard error if the program is written to standard
+/// output.
 ExitCode write_if_proved(const Model& model, Id<Chart> chart, CommandContext& job, const Streams& streams) {
     const ResourceLimits bounds(job.options, streams);
     ProofOptions how{.mode = execution_mode(model, chart, job),

@@ -162,7 +162,7 @@ void EditedFile::watch() {
             take_changes();
             keep_unsaved();
         } catch (const std::exception&) {
-            continue;  // for example, memory is exhausted; the next iteration tries again
+            continue;  // such as exhausted memory; the next iteration tries again
         }
         if (version_ == before) continue;
         lock.unlock();

@@ -38,8 +38,9 @@ public:
     EditedFile(const EditedFile&) = delete;
     EditedFile& operator=(const EditedFile&) = delete;
 
-    /// Starts a thread that watches the file and writes the recovery file. From then on, `changing` is called before
-    /// each change of the text, and `changed` after it. Until the change is complete, calls of `text` wait.
+    /// Starts a thread that watches the file and writes the recovery file. After the start,
+    /// `changing` is called before each change of the text, and `changed` after the change. Calls
+    /// of `text` wait while a change is incomplete.
     void begin(std::function<void()> changing, std::function<void()> changed);
     /// Ends the thread, and writes the recovery file a last time.
     void end();

@@ -48,7 +48,8 @@ struct HttpOptions {
 
 class HttpServer {
 public:
-    /// Starts listening. Throws std::system_error if this fails, for example because the port is in use.
+    /// Starts listening. Throws std::system_error if listening fails, for example because the port
+    /// is in use.
     HttpServer(const HttpOptions& options, HttpHandler handler);
     ~HttpServer();
     HttpServer(const HttpServer&) = delete;

@@ -12,7 +12,7 @@ namespace grafverif::app {
 /// Returns the text as a page shows it.
 std::string page_text(std::string_view text);
 
-/// Returns text of a page with the line ends of the first line of `file`.
+/// Returns the text of a page, with each line end replaced by that of the first line of `file`.
 std::string with_line_ends(std::string_view page, std::string_view file);
 
 /// Returns the text of the file after a user has changed the text of the page to `page`. `before` is the text of the

@@ -11,8 +11,8 @@
 namespace grafverif::app {
 
 std::size_t CancellableInput::receive(std::span<char> buffer) const {
-    // The interval is in milliseconds. Polling is necessary, because a signal may be handled in another thread and then
-    // does not interrupt this one.
+    // The interval is in milliseconds. Polling is necessary, because a signal may be handled in
+    // another thread and then does not interrupt this thread.
     constexpr int poll_interval = 200;
     while (!is_over(deadline_, &end_requested_)) {
         std::array<pollfd, 2> waited = {pollfd{STDIN_FILENO, POLLIN, 0}, pollfd{pipe_.read.number(), POLLIN, 0}};

@@ -23,8 +23,8 @@ std::atomic<int> pending_signal = 0;  ///< signal to raise after the last Signal
 std::array<struct sigaction, signals.size()> before = {};  ///< written only while note_signal is not installed
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
-/// Mutex that serializes the constructors and destructors of Interrupt and SignalBlocker. Signal handlers do not lock
-/// it.
+/// Mutex that serializes the constructors and destructors of Interrupt and SignalBlocker. Signal
+/// handlers do not lock this mutex.
 std::mutex& door() {
     static std::mutex mutex;
     return mutex;

@@ -18,7 +18,8 @@ public:
 };
 
 /// While an object exists, SIGINT, SIGTERM and SIGHUP do not end the program; a signal that arrives during this time
-/// ends the program afterwards. Use it for short sections of code that must be completed.
+/// ends the program afterwards. Use SignalBlocker for short sections of code that must be
+/// completed.
 class SignalBlocker {
 public:
     SignalBlocker();

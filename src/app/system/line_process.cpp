@@ -125,8 +125,8 @@ void LineProcess::wait(std::chrono::milliseconds longest) {
     ::poll(waited.data(), waited.size(), static_cast<int>(std::min(longest, most).count()));
 }
 
-/// Waits at most `longest` for the end of the program. Returns true if it has ended. Reads standard error at the same
-/// time, because a program that is blocked by a full pipe cannot end.
+/// Waits at most `longest` for the end of the program. Returns true if the program has ended. Reads
+/// standard error at the same time, because a program that is blocked by a full pipe cannot end.
 bool LineProcess::wait_for_end(std::chrono::milliseconds longest) {
     const Steady::time_point deadline = Steady::now() + longest;
     while (!program_->ended() && Steady::now() < deadline) {

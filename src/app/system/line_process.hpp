@@ -16,6 +16,7 @@ namespace grafverif::app {
 
 struct LineProcessLimits {
     std::chrono::milliseconds response_timeout{10'000};  ///< time limit for one response
+
     /// Maximum length of a line in bytes; a longer response is a Flood.
     std::size_t longest_line = std::size_t{64} << 10U;
     const std::atomic<bool>* stop = nullptr;  ///< cancellation flag
@@ -37,7 +38,7 @@ struct Reply {
 
 class LineProcess {
 public:
-    /// Starts `command` in the shell. Throws std::system_error if it cannot be started.
+    /// Starts `command` in the shell. Throws std::system_error if the shell cannot be started.
     LineProcess(const std::string& command, const LineProcessLimits& limits);
     LineProcess(const LineProcess&) = delete;
     LineProcess& operator=(const LineProcess&) = delete;

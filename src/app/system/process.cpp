@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The input of the program is an unnamed file. Therefore this process need not write while the program runs, and a
-// program that does not read its input does not cause a broken pipe.
+// The standard input of an external program is an unnamed temporary file. Therefore this process
+// need not write while the program runs, and a program that does not read its input does not cause
+// a broken pipe.
 #include "app/system/process.hpp"
 
 #include <fcntl.h>
@@ -50,7 +51,7 @@ struct Stream {
     Descriptor from = Descriptor();
     std::string text = {};
 
-    /// Reads available data, but only slightly more than `most` bytes in total.
+    /// Reads available data, and stops when slightly more than `most` bytes are stored.
     void take(std::size_t most) {
         std::array<char, 65536> buffer = {};
         while (from.open() && text.size() <= most) {
@@ -132,8 +133,8 @@ ProgramResult run_program(const std::vector<std::string>& arguments, const std::
 
 namespace {
 
-/// Name of a file that is created in the temporary folder after the folder is locked. A folder without this file
-/// belongs to another program.
+/// Name of a file that is created in the temporary folder after the folder is locked; a folder
+/// without this file belongs to another program.
 constexpr const char* lock_mark = ".grafverif-run";
 constexpr std::string_view folder_name = "grafverif-run-", random_part = "XXXXXX";
 

@@ -32,10 +32,11 @@ std::optional<std::filesystem::path> find_program(const std::string& name);
 ProgramResult run_program(const std::vector<std::string>& arguments, const std::string& input,
                           const ProgramLimits& limits);
 
-/// A new folder for files that other programs read. The destructor removes the folder. The constructor also removes the
-/// folders of killed runs, and recognizes such a folder by its free lock. The folder is the current folder of the
-/// programs, which name its files without their path. Therefore the path may contain any characters. Throws
-/// std::system_error if the folder cannot be created.
+/// A new folder for files that other programs read. The destructor removes the folder. The
+/// constructor also removes the folders of killed runs, which it recognizes by their free locks.
+/// The folder is the current folder of the programs, which name its files without their path;
+/// therefore the path may contain any characters. Throws std::system_error if the folder cannot be
+/// created.
 class TemporaryFolder {
 public:
     TemporaryFolder();

@@ -15,8 +15,9 @@ struct Screen {
 };
 
 /// True if colours are used by default. `NO_COLOR` (no-color.org) disables colours; `CLICOLOR_FORCE`
-/// (bixense.com/clicolors) enables them in any case. Without these variables, a terminal has colours unless its `TERM`
-/// is `dumb` or missing. An empty variable, and `CLICOLOR_FORCE=0`, are treated as missing.
+/// (bixense.com/clicolors) enables them in any case. If neither variable is set, a terminal has
+/// colours unless its `TERM` is `dumb` or missing. An empty variable, and `CLICOLOR_FORCE=0`, are
+/// treated as missing.
 bool has_colours(bool terminal, const std::string& no_color, const std::string& clicolor_force,
                  const std::string& term);
 

@@ -114,7 +114,7 @@ std::int64_t processor_time() {
     return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
 }
 
-/// Releases the reserved memory. Returns false if it was released before.
+/// Releases the reserved memory. Returns false if the memory was already released.
 bool release_reserve(std::atomic<void*>& kept) {
     void* const memory = kept.exchange(nullptr);
     ::operator delete(memory);
@@ -129,15 +129,16 @@ void no_memory() {
     throw std::bad_alloc();
 }
 
-/// Reserves memory, but does not access it. The limits count the memory that a process requests. Access to 3 MiB would
-/// take half of the processor time in which the program starts. Returns false if the system refuses the memory.
+/// Reserves memory, but does not access it. The limits count the memory that a process requests.
+/// Accessing 3 MiB would take half as much processor time as the start of the program. Returns
+/// false if the system refuses the memory.
 bool keep(std::atomic<void*>& kept, std::size_t size) {
     if (kept != nullptr) return true;
     is_reserving = true;
     void* memory = ::operator new(size, std::nothrow);
     is_reserving = false;
     if (memory == nullptr) return false;
-    memory = kept.exchange(memory);  // another thread may have stored memory at the same time
+    memory = kept.exchange(memory);  // another thread may have stored its memory in `kept`
     ::operator delete(memory);
     return true;
 }
@@ -165,8 +166,8 @@ bool keep(std::atomic<void*>& kept, std::size_t size) {
     page[1] = page[0];  // after the call, to prevent a tail call, which would use the same frame
 }
 
-/// Allocates stack memory now if the address space is limited. Otherwise, a signal would end the program if the stack
-/// cannot grow later.
+/// Allocates stack memory now if the address space is limited; otherwise, a signal would end the
+/// program if the stack cannot grow later.
 void grow_stack() {
     rlimit addresses = {}, stack = {};
     if (::getrlimit(RLIMIT_AS, &addresses) != 0 || addresses.rlim_cur == RLIM_INFINITY) return;

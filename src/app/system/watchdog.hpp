@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Watchdog: enforces `--timeout`, `--max-memory` and Ctrl-C for every command and every input.
 //
-// Engines poll these limits and end in time with the results found so far. Other stages do not poll the limits, because
-// they are fast for hand-written charts or because they wait for input. The watchdog ends such a stage: after a grace
-// period it reports the reason and ends the process with exit code 3. Therefore the time limit is exceeded by at most a
-// tenth of the limit plus half a second, unless files are being written or an external program must be ended.
+// Engines poll the limits and end in time with the results found so far. Other stages do not poll
+// the limits, because they are fast for hand-written charts or because they wait for input. The
+// watchdog ends a stage that does not poll the limits: after a grace period it reports the reason
+// and ends the process with exit code 3. Therefore the time limit is exceeded by at most a tenth of
+// the limit plus half a second, unless files are being written or an external program must be
+// ended.
 //
 // Memory: the process requests at most the permitted amount from the system (RLIMIT_DATA). A larger allocation fails,
 // wherever it occurs, and is reported like any other error. Without --max-memory, the limit is nine tenths of the
-// memory of the computer or container: an error message is better than termination by the system. If the system does
-// not enforce this limit, and under sanitizers, which allocate memory themselves, the watchdog checks the resident
-// memory.
+// memory of the computer or container: an error message is better than termination by the system.
+// If the system does not enforce the memory limit, and under sanitizers, which allocate memory
+// themselves, the watchdog checks the resident memory.
 #pragma once
 
 #include <pthread.h>

@@ -106,7 +106,7 @@ void lock(const Folder& folder) {
     constexpr std::chrono::milliseconds nap{3};
     for (const auto end = std::chrono::steady_clock::now() + longest_wait;
          ::flock(folder.open.number(), LOCK_EX | LOCK_NB) != 0;) {
-        if (errno != EWOULDBLOCK && errno != EINTR) return;  // this file system does not support such locks
+        if (errno != EWOULDBLOCK && errno != EINTR) return;  // the file system has no folder locks
         if (std::chrono::steady_clock::now() > end)
             fail(ETIMEDOUT, fmt::format("another process has locked the folder `{}`", folder.path.string()));
         std::this_thread::sleep_for(nap);
@@ -228,7 +228,8 @@ private:
             cannot_write(one.file->path);
         const Descriptor file = created(one, replaces ? S_IRUSR | S_IWUSR : one.file->mode, one.draft);
         if (replaces) {
-            // Only a process of root may change the owner. For other users, the call may fail; the failure is ignored.
+            // Only a process of root may change the owner; for other users, the call may fail, and
+            // the failure is ignored.
             [[maybe_unused]] const int may_fail = ::fchown(file.number(), old.st_uid, old.st_gid);
             if (::fchmod(file.number(), old.st_mode & 0777U) != 0) cannot_write(one.file->path);
         }

@@ -23,6 +23,7 @@ struct OutputFile {
     std::filesystem::path path = {};
     std::string content = {};
     unsigned mode = 0666;  ///< permissions of a new file, before the umask
+
     /// If given, the file is replaced only if it is missing or has this content; otherwise the error is ESTALE. The
     /// content is compared directly before the file is replaced, while this process holds the lock on the folder.
     std::optional<std::string> replaces = {};

@@ -96,8 +96,8 @@ void DecomposedCheck::count(const TimedResult& found) {
     result_.profile = found.profile;
 }
 
-/// Searches the subnetwork of the parts `chosen`. The search decides all queries that read exactly these parts, and the
-/// queries that are decided for each part separately.
+/// Searches the subnetwork of the parts `chosen`. The search decides all queries about exactly
+/// these parts, and the queries that are decided for each part separately.
 SubsystemSearch DecomposedCheck::search(const PartNumbers& chosen, bool premises, const Deadline& deadline) {
     SubNetworkBuilder builder(network_, parts_, chosen);
     bool deadlock_requested = false;
@@ -223,9 +223,10 @@ void DecomposedCheck::take(SubsystemQuery& question, Verdict verdict) const {
 }
 
 /// Returns the outcome whose preservation must be checked. If the verdict is unknown only because of a model error or
-/// inexact time, this is the outcome that the property would have without this obstacle. If a limit ended the search,
-/// this is an outcome that is preserved if time can pass forever in the other parts. The complete network then has at
-/// least as many states as the searched parts, so a search of the complete network would also reach the limit.
+/// inexact time, the result is the outcome that the property would have without this obstacle. If a
+/// limit ended the search, the result is an outcome that is preserved if time can pass forever in
+/// the other parts. After a limit, a search of the complete network would also reach the limit,
+/// because the complete network then has at least as many states as the searched parts.
 Outcome supposed(const Verdict& verdict) {
     const bool wanted = verdict.pattern == Pattern::Reachable;
     switch (verdict.obstacle) {
@@ -286,8 +287,8 @@ void DecomposedCheck::answer(SubsystemQuery& question) {
     take(question, std::move(verdict));
 }
 
-/// Decides `no deadlock`, `no timelock` or `no_race`. Each of these properties holds for the complete network if it
-/// holds for each part.
+/// Decides `no deadlock`, `no timelock` or `no_race`, each of which holds for the complete network
+/// if it holds for each part.
 void DecomposedCheck::result_of_each(SubsystemQuery& question) {
     const Pattern pattern = question.property.pattern;
     const std::string name = pattern == Pattern::NoTimelock   ? timelock_probe

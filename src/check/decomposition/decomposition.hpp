@@ -6,8 +6,8 @@
 // the complete network is explored.
 //
 // `no deadlock` is checked per subsystem: from every state of each subsystem, an edge of this subsystem is enabled,
-// immediately or after a delay. This condition is stronger than `no deadlock` of the complete network, in which an
-// active subsystem hides a blocked subsystem.
+// immediately or after a delay. The check per subsystem is stronger than `no deadlock` of the
+// complete network, in which an active subsystem hides a blocked subsystem.
 //
 // Each verdict names the omitted subsystems and states why they do not affect the verdict. All runs are runs of the
 // complete network.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A lasso is an infinite run that consists of a stem and a loop, which is repeated forever. The loop can be chosen to
-// start after any tick that is not in the stem. Let the loop of a part have k ticks, and let tick n be outside of the
-// stem of this part. Then the actions of the part after tick n + k are equal to its actions after tick n. Therefore the
-// joined run has a loop whose number of ticks is the least common multiple of the numbers of ticks in the loops of all
-// parts.
+// start after any tick that is not in the stem. Let the loop of a part have k ticks, and let tick n
+// be outside of the stem of this part; then the actions of the part after ticks n and n + k are
+// equal. Therefore the joined run has a loop whose number of ticks is the least common multiple of
+// the numbers of ticks in the loops of all parts.
 #include "check/decomposition/join.hpp"
 
 #include <algorithm>

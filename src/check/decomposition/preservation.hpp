@@ -26,6 +26,7 @@ struct OmittedSubsystem {
     bool searched = false;  ///< true if the subsystem was explored completely
     bool faulty = false;    ///< true if a model error is reachable in the subsystem
     bool diverges = false;  ///< true if the subsystem has a run in which time diverges
+
     /// True if, in dense time, a state in which time passes is reachable from each state of the subsystem.
     bool never_locks = false;
     bool rests = false;        ///< true if no run of the subsystem has infinitely many moves in one instant

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Queries of the timed engine for compositional checking. There is one query for each verdict; it contains the parts
-// (independent subsystems) that the property reads.
+// Queries of the timed engine for compositional checking. Each verdict has one query, which
+// contains the parts (independent subsystems) that the property reads.
 #pragma once
 
 #include <cstdint>

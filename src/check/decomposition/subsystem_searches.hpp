@@ -42,10 +42,10 @@ public:
     PartList others(const PartList& chosen) const;
 
     bool requested(const Property& property) const;
-    /// Returns the parts that the operands read.
+    /// Returns the parts that the operands of a property read.
     PartList reads(const std::vector<Id<Expr>>& operands) const;
-    /// True if the property states that no part has a timelock, a deadlock, a race or a value outside its range. Such a
-    /// property is decided for each part.
+    /// True if the property states that no part has a timelock, a deadlock, a race or a value
+    /// outside its range; the property is then decided for each part.
     bool about_each(const Property& property) const;
 
     /// Returns the search of the parts `chosen`. The first call for `chosen` creates the search; later calls return the

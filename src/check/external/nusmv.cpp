@@ -25,7 +25,7 @@ std::unordered_map<std::string, std::vector<std::string_view>> sections(std::str
     for (std::size_t at = text.find(mark); at != std::string_view::npos;) {
         const std::size_t line_end = std::min(text.find('\n', at), text.size());
         std::string_view name = text.substr(at + mark.size(), line_end - at - mark.size());
-        name = name.substr(0, name.find_last_not_of(" \r") + 1);  // `echo` appends a blank
+        name = name.substr(0, name.find_last_not_of(" \r") + 1);  // NuSMV `echo` appends a blank
         const std::size_t next = text.find(mark, line_end);
         if (next == std::string_view::npos) break;
         found[std::string(name)].push_back(text.substr(line_end, next - line_end));

@@ -32,6 +32,7 @@ struct ExternalQuery {
 
 struct ExternalOptions {
     std::vector<std::string> properties = {};  ///< names of the properties to check; an empty list selects all
+
     /// Runs the program on the model and the given formula.
     std::function<ProgramResult(const std::string& formula)> run = {};
 };

@@ -20,8 +20,8 @@ struct AbstractRun {
     const std::vector<AbstractState>& path;
 };
 
-/// One sampling of inputs by a PLC. `possible` contains, for each instance, the output valuations that are consistent
-/// with all edges of the PLC cycle. Bit k of the word represents valuation k.
+/// One sampling of inputs by a PLC. `possible` contains a word for each instance; bit k of the word
+/// is set if the output valuation k is consistent with all edges of the PLC cycle.
 struct Sampling {
     std::size_t at = 0;  // index of the sampling in AbstractRun::path
     Id<Network::Process> plc = {};

@@ -144,8 +144,8 @@ private:
         return steps;
     }
 
-    /// Finds the reachable valuations of the group and the changes between them. All other variables have arbitrary
-    /// values.
+    /// Finds the reachable valuations of the group and the changes between them, for arbitrary
+    /// values of all other variables.
     void find_changes(Group& group) {
         // Values that other processes assign are taken into account only in a group of one variable. A larger group
         // with such a variable has no valuations and is never steady.

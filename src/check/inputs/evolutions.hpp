@@ -10,15 +10,15 @@
 // The nodes of the graph are the reachable valuations of the group, and the edges are the changes of the valuation in
 // one PLC cycle. For the computation of the graph, each other variable has an arbitrary value of its range, but the
 // outputs of each instance have one of their reachable valuations. If no valuation of the steady variables admits all
-// edges of a cycle of the graph, the group changes only finitely often, so its variables are also steady. A SAT solver
-// decides this for all cycles of the graph in one query: the solver searches for a nonempty set of edges in which each
-// edge has a successor.
+// edges of a cycle of the graph, the group changes only finitely often, so its variables are also
+// steady. A SAT solver decides this condition for all cycles of the graph in one query: the solver
+// searches for a nonempty set of edges in which each edge has a successor.
 //
 // Only one edge of a PLC cycle reads a variable that another process assigns (see PlcCycle), so the variable has one
-// value per cycle. Each edge of the graph also satisfies these conditions: all steady variables have the same values
-// before and after the PLC cycle. If a cycle requests a timer, the timer accepts the request before the next cycle. If
-// all edges of the timer that accept a request lead to the same output, the constant output of the timer has this
-// value.
+// value per cycle. For each edge of the graph, all steady variables have the same values before and
+// after the PLC cycle. If a cycle requests a timer, the timer accepts the request before the next
+// cycle. If all edges of the timer that accept a request lead to the same output, the constant
+// output of the timer has this value.
 //
 // The evolutions end if no cycle of the PLC can begin and end with the same values of all steady variables.
 #pragma once
@@ -34,8 +34,8 @@ namespace grafverif {
 /// Returns true if two statements are proved. First, no reachable edge of a PLC has a model error. Second, each
 /// infinite run of urgent edges contains infinitely many edges that assign a variable which a PLC reads and that belong
 /// neither to a PLC nor to a timer. Returns false if there is no proof, and nullopt if a limit is reached. Requires
-/// that `network` is expanded, has no observers, and satisfies lets_time_pass (check/inputs/resting.hpp). `instances`
-/// are its abstractable processes.
+/// that `network` is expanded, has no observers, and satisfies lets_time_pass
+/// (check/inputs/resting.hpp). `instances` are the abstractable processes of `network`.
 std::optional<bool> evolutions_end(const Network& network, const std::vector<AbstractableProcess>& instances,
                                    const pdr::SolverLimits& limits);
 

@@ -25,8 +25,8 @@ using Signature = std::vector<std::int64_t>;
 /// A stage of the abstract run: a section with constant values of the steps and internal variables (the signature).
 struct Stage {
     Signature signature = {};
-    /// Per instance: for each sampling of the stage, the set of output valuations that the sampling permits. Sets of
-    /// all valuations are omitted.
+    /// Per instance: for each sampling of the stage, the set of output valuations that the sampling
+    /// permits. A set that contains all valuations is omitted.
     std::vector<std::vector<Word>> goals = {};
     std::vector<bool> moves = {};  // per instance: true if the run contains a move of the instance in the stage
 };
@@ -122,8 +122,8 @@ private:
 
     /// Removes the next state to expand; returns nullopt if there is none. Every second returned state belongs to the
     /// last stage with open states, and all other returned states belong to the stages in turn. Without this
-    /// alternation, the search could reach the state limit with states of the last stage. But a run to a violation may
-    /// reach this stage from other states of an earlier stage.
+    /// alternation, the search could reach the state limit with states of the last stage. However,
+    /// a run to a violation may reach the last stage from other states of an earlier stage.
     std::optional<std::size_t> next() {
         std::size_t stage = is_turn_of_last_ ? stages_.size() - 1 : turn_;
         is_turn_of_last_ = !is_turn_of_last_;
@@ -169,8 +169,9 @@ private:
     }
 
     /// True if the process may move. An autonomous instance of the level Chosen moves only if some sampling of the
-    /// stage does not permit its current outputs. Other autonomous instances move only if they move in this stage of
-    /// the abstract run, unless PanelMoves::Any permits all moves. All other processes move freely.
+    /// stage does not permit its current outputs. Other autonomous instances move only if they move
+    /// in the same stage of the abstract run, unless PanelMoves::Any permits all moves. All other
+    /// processes move freely.
     bool may_move(const Word* at, std::size_t stage, Id<Network::Process> process) const {
         const std::size_t i = instance_of_[process.index];
         if (i == none || !run_.instances[i].autonomous) return true;
@@ -196,8 +197,9 @@ private:
         if (!urgent && !shown_ && machine_.delay(now_.data())) add(now_.data(), node, stage, Delay{1});
     }
 
-    /// Returns the instances that the last reached stage constrains. If this stage constrains no instance, returns the
-    /// instances of the previous stage, or else the instances of the first stage with a constraint.
+    /// Returns the instances that the last reached stage constrains. If the last reached stage
+    /// constrains no instance, returns the instances of the previous stage, or else the instances
+    /// of the first stage with a constraint.
     std::vector<std::size_t> blamed() const {
         const auto constrained = [&](const Stage& stage) {
             std::vector<std::size_t> found;
@@ -225,7 +227,7 @@ private:
     FoundStates states_ = FoundStates(layout_);
     // Per stage: the states that are not expanded yet.
     std::vector<std::priority_queue<Open, std::vector<Open>, std::greater<>>> open_;
-    std::size_t turn_ = 0;  // the search uses the stages in turn; this is the next one
+    std::size_t turn_ = 0;  // the stage that the search uses next; the stages are used in turn
     bool is_turn_of_last_ = true;
     std::size_t last_stage_ = 0;
     std::optional<std::size_t> shown_ = {};

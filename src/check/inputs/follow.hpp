@@ -31,7 +31,8 @@ inline constexpr std::size_t search_poll_interval = 1024;  ///< number of states
 
 struct FollowLimits {
     std::size_t states = 200'000;
-    std::uint64_t bytes = std::numeric_limits<std::uint64_t>::max();  ///< memory limit; `follow` ignores it
+    /// Memory limit, which `follow` ignores.
+    std::uint64_t bytes = std::numeric_limits<std::uint64_t>::max();
     Deadline deadline = {};
     const std::atomic<bool>* stop = nullptr;
 };
@@ -41,6 +42,7 @@ std::vector<Id<Network::Variable>> signature_variables(const Network& network);
 
 struct ConcreteRun {
     std::optional<Run> run = {};  ///< run of the complete network to a state that decides the property
+
     /// If no run was found: the instances whose outputs the samplings of the last reached stage constrain.
     std::vector<std::size_t> blamed = {};
 };

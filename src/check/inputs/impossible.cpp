@@ -17,6 +17,7 @@ using timed::Word;
 namespace {
 
 constexpr std::size_t most_members = 4;  // maximum number of processes that are executed jointly
+
 // Maximum number of states of a single process, and of a group.
 constexpr std::size_t most_states_alone = std::size_t{1} << 17U, most_states_jointly = std::size_t{1} << 14U;
 
@@ -123,8 +124,8 @@ public:
     /// Adds all states that are reachable by delays and edges.
     void wait() { close(true); }
 
-    /// Adds all states that are reachable by edges. Then keeps only states in which the member has one of the
-    /// valuations in `possible`.
+    /// Adds all states that are reachable by edges, and then keeps only states in which the member
+    /// has one of the valuations in `possible`.
     void show(std::size_t member, Word possible) {
         move();
         keep(member, possible);
@@ -197,10 +198,10 @@ private:
         return network;
     }
 
-    /// Reduces the guard to the conjuncts over known variables. The other conjuncts are assumed to be true. An urgent
-    /// edge must be taken only if these other conjuncts are true; therefore, the edge is no longer urgent. A conjunct
-    /// that reads only variables of observers does not change the urgency, because the conjunct is true whenever time
-    /// passes.
+    /// Reduces the guard to the conjuncts over known variables. The removed conjuncts are assumed
+    /// to be true. An urgent edge must be taken only if the removed conjuncts are true; therefore,
+    /// the edge is no longer urgent. A conjunct that reads only variables of observers does not
+    /// change the urgency, because the conjunct is true whenever time passes.
     static void keep_known_conjuncts(Network& network, Network::Edge& edge,
                                      const std::set<Id<Network::Variable>>& known,
                                      const std::set<Id<Network::Variable>>& of_observers) {
@@ -331,6 +332,7 @@ private:
         if (waits_) processes.wait();
         auto next = samplings_.begin();
         std::map<Id<Network::Process>, const Sampling*> sampled;  // per PLC, its last sampling
+
         // A PLC samples each change of an input without delay. Therefore, while time passes in a stable situation, an
         // instance is assumed to have the valuation that was sampled last. (The abstract run may omit samplings without
         // effect.)
@@ -366,7 +368,8 @@ private:
     }
 
     /// Returns the greatest position such that the processes cannot perform the path from this position on, from any of
-    /// their states. If a position has this property, all earlier positions also have it.
+    /// their states. If the path cannot be performed from one position on, it cannot be performed
+    /// from any earlier position on.
     std::size_t since(ProcessGroup& processes, const std::vector<InputLevel>& levels) const {
         ProcessGroup free = processes_at(levels, {});  // other variables may have any values
         free.wait();

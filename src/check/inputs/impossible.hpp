@@ -16,11 +16,12 @@ namespace grafverif {
 
 /// A section of an abstract run that a group of processes cannot perform.
 struct SpuriousMoves {
-    std::size_t at = 0;  ///< index in the path at which the shortest prefix that the group cannot perform ends
+    /// Index in the path at which the shortest prefix that the group cannot perform ends.
+    std::size_t at = 0;
     /// Per process of the group: level at which the abstraction excludes this section.
     std::vector<InputLevel> levels = {};
-    /// Greatest index from which on the group cannot perform the path, for any state of the group that agrees with the
-    /// other variables at this index. 0 if the group has too many states.
+    /// Greatest index such that the group cannot perform the path from this index on, from any state of the group that
+    /// agrees with the abstract run at this index. 0 if the group has too many states.
     std::size_t since = 0;
 };
 

@@ -71,16 +71,16 @@ public:
 
 private:
     /// Properties that a task decides. SingleStates: properties about single states. Evolution, Passing: `no timelock`
-    /// and `no deadlock`, with ChoiceLifetime::Evolution or ChoiceLifetime::Instant. Possible: `always possible`.
-    /// Response: `leads to` and `inevitable`.
+    /// and `no deadlock`, with ChoiceLifetime::Evolution and ChoiceLifetime::Instant, respectively. Possible: `always
+    /// possible`. Response: `leads to` and `inevitable`.
     enum class Kind : std::uint8_t { SingleStates, Evolution, Passing, Possible, Response };
 
-    /// A task: properties to decide on one abstraction. The properties are indices of verdicts.
+    /// A task: properties to decide on one abstraction. A property is identified by the index of its verdict.
     struct Task {
         Levels levels = {};
         std::vector<std::size_t> verdicts = {};
         std::size_t rounds = 0;
-        bool coarse = false;  // true if timers and the instances that read variables of the loop are also abstracted
+        bool coarse = false;  // true if timers and instances that are not autonomous are also abstracted
         Kind kind = Kind::SingleStates;
         bool rounded = false;      // true if clock bounds of observers are rounded to the unit of all other processes
         std::size_t searches = 0;  // number of earlier searches for these properties in the current round
@@ -156,7 +156,8 @@ private:
     const StateProver prove_;
     const std::vector<AbstractableProcess> instances_;
     const Network observed_;
-    const Network complete_;  // complete network in its longest time unit
+    // Complete network in its longest time unit.
+    const Network complete_;
     // Complete network in a longer time unit (in_longer_unit). Searches for runs use `stricter_` before `complete_`,
     // because `stricter_` has fewer states.
     const Network stricter_;
@@ -175,7 +176,7 @@ private:
     double symbolic_seconds_ = 0;
     const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
     std::optional<bool> evolutions_end_ = {};  // result of the function evolutions_end; empty if not computed yet
-    std::optional<bool> takes_time_ = {};      // premise of prove_response; empty if not computed yet
+    std::optional<bool> takes_time_ = {};      // result of the function takes_time; empty if not computed yet
     std::uint64_t round_ = 0;                  // bound of the searches of the current round
     Deadline deadline_ = {};
 };

@@ -180,8 +180,8 @@ void InputAbstractionCheck::begin_with_known(const Property& property, Levels& l
 /// Adds the verdict to the task of its next search, which uses `levels`. If `levels` are equal to the levels of `task`,
 /// rounded clock bounds may have caused the spurious run, so the next search uses the exact bounds. If the bounds are
 /// already exact, or the maximum number of searches is reached, a coarse search is followed by a search in which only
-/// autonomous instances are abstracted; other searches are not continued. All `reachable` properties share one next
-/// search.
+/// autonomous instances are abstracted; other searches are not continued. The next searches of `reachable` properties
+/// are combined if they agree in `coarse` and `rounded`.
 void InputAbstractionCheck::refine(std::size_t verdict, const Task& task, End end, const Levels& levels,
                                    std::vector<Task>& tasks) const {
     const Property& property = observed_.properties[result_.verdicts[verdict].about];

@@ -46,7 +46,8 @@ struct ProofTask {
     /// Expanded network in which the clocks of some processes are ignored, with the observers of the current properties.
     const Network& abstraction;
     const std::string& property;
-    Deadline share = {};  ///< deadline of the proof of the property
+    /// Deadline of the proof of the property.
+    Deadline share = {};
     /// Deadline of the proof that no state has a model error. This proof is valid for all abstractions of the loop.
     Deadline end = {};
     std::uint64_t memory = 0;  ///< memory limit in bytes
@@ -64,34 +65,36 @@ struct Proof {
 using StateProver = std::function<Proof(const ProofTask&)>;
 
 struct InputLimits {
-    std::uint64_t states = std::uint64_t{1} << 24U;  ///< maximum number of states of one search of an abstraction
+    /// Maximum number of states of one search of an abstraction.
+    std::uint64_t states = std::uint64_t{1} << 24U;
     /// Maximum number of states of one coarse search, in which instances that read variables of the loop are also
     /// abstracted.
     std::uint64_t coarse_states = std::uint64_t{1} << 22U;
     /// Maximum number of transitions of one search with macro-steps, as a multiple of the maximum number of states of
     /// the round. (A macro-step combines many transitions.) The number of transitions is not limited in the last round.
     std::uint64_t transitions = 8;
-    std::size_t followed = 200'000;  ///< maximum number of states of one guided search
+    /// Maximum number of states of one guided search.
+    std::size_t followed = 200'000;
     /// Maximum number of states of one guided search in the first rounds, for a run of a coarse abstraction. In later
     /// rounds, the maximum is four times the maximum number of states of the round, but at most `followed`.
     std::size_t followed_coarse = 20'000;
     /// Number of states of the complete loop that NoveltySearch explores before the abstractions are searched; may be
     /// 0.
     std::uint64_t explored = std::uint64_t{1} << 20U;
-    /// Maximum number of searches for one property in which only autonomous instances are abstracted.
+    /// Maximum number of searches for one property that abstract only autonomous instances.
     std::size_t rounds = 8;
     /// Maximum number of searches for one property in one round, except for the last round. Without this limit, many
     /// searches for one property, usually `reachable all steps`, would delay all other properties.
     std::size_t searches_per_round = 8;
-    /// Maximum number of coarse searches for one property, before the searches in which only autonomous instances are
-    /// abstracted.
+    /// Maximum number of coarse searches for one property, before the searches that abstract only autonomous instances.
     std::size_t coarse_rounds = 32;
     /// The symbolic engine is used after each round whose maximum number of states is at least this number.
     std::uint64_t symbolic_from = std::uint64_t{1} << 17U;
-    double symbolic_share = 0.1;  ///< maximum share of the time since the start of the search that the symbolic engine
-                                  ///< may use
+    /// Maximum share of the time since the start of the search that the symbolic engine may use.
+    double symbolic_share = 0.1;
     /// Per property: an abstraction that decided the property in a similar loop. The search begins with this
-    /// abstraction instead of the coarsest abstraction. Processes that are not named have the level Complete.
+    /// abstraction instead of the coarsest abstraction. Processes that the abstraction does not name have the level
+    /// Complete.
     std::map<std::string, InputsAbstracted> known = {};
 };
 

@@ -70,7 +70,7 @@ private:
         std::size_t cost = 0, state = 0;
         auto operator<=>(const Open&) const = default;
     };
-    /// The data of a state that determine its cost, its priority in the search.
+    /// The data of a state that determine its cost. The search expands states with low costs first.
     struct Situation {
         std::uint64_t signature = 0;
         std::size_t moves = 0;  // number of moves of autonomous instances since the signature changed

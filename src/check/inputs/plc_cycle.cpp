@@ -80,7 +80,7 @@ bool PlcCycle::follow(Id<Network::Location> location, const Path& start) {
 }
 
 bool PlcCycle::take(const Network::Edge& edge, Path& path) {
-    std::set<VariableId> read;  // variables that the terms translated so far have read
+    std::set<VariableId> read;  // variables that already translated terms read
     std::set<VariableId> shared;
     const auto leaf = [&](const Expr& node) {
         const VariableId variable = slots_.variable(node);

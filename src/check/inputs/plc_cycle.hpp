@@ -35,6 +35,7 @@ public:
     std::map<VariableId, Bits> before = {};  ///< values before the cycle, of all variables that the PLC uses
     std::map<VariableId, Bits> next = {};    ///< values after the cycle, of all variables that the PLC assigns
     std::map<VariableId, Bits> first = {};   ///< values before the first cycle, of the variables in `next`
+
     /// `enabled`: the condition that a cycle is possible. `starts`: the condition that a path from the initial location
     /// to the first cycle is possible. Cycles and paths with a model error are included.
     Literal enabled = Gates::no, starts = Gates::no;

@@ -63,8 +63,8 @@ private:
     /// Properties of a strongly connected component of states without q.
     struct Component {
         bool urgent = true;                // true if an urgent edge is enabled in each state of the component
-        std::vector<bool> moves = {};      // per process: an edge of the process connects two states of the component
-        std::vector<bool> unbounded = {};  // per process: in some state, the invariant of its current location has no
+        std::vector<bool> moves = {};      // per process: true if one of its edges connects two states of the component
+        std::vector<bool> unbounded = {};  // per process: true if, in some state, the invariant of its location has no
                                            // bound
     };
 

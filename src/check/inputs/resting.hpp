@@ -6,16 +6,16 @@
 // The state of a process consists of its location and the variables that only this process writes. The premises on a
 // process are:
 //
-//   bounds    consider each state of the process without an enabled urgent edge. Each bound `c <= d` of its invariant
-//             satisfies d >= 1. For each bound, some edge with a true guard is enabled at `c == d` for all values of
-//             the other clocks. This edge resets c or leads to a location from which c is not bounded before its next
-//             reset.
-//   outputs   no cycle of urgent edges of the process assigns a variable that a PLC reads, even if variables of other
-//             processes change at any time. While the variables of the PLCs are constant, no cycle of urgent edges of
-//             the process assigns a variable that another process reads. The processes are examined in sequence. If
-//             `outputs` is proved for a process, its variables change only finitely often; therefore these variables
-//             are assumed to be constant when later processes are examined.
-//   moves     the urgent edges of the process have no cycle while all variables of other processes are constant.
+//   `bounds`:  In each state of the process without an enabled urgent edge, each bound `c <= d` of the invariant
+//              satisfies d >= 1. For each bound, some edge with a true guard is enabled at `c == d` for all values of
+//              the other clocks. This edge resets c or leads to a location from which c is not bounded before its next
+//              reset.
+//   `outputs`: No cycle of urgent edges of the process assigns a variable that a PLC reads, even if variables of other
+//              processes change at any time. While the variables of the PLCs are constant, no cycle of urgent edges of
+//              the process assigns a variable that another process reads. The processes are examined in sequence. If
+//              `outputs` is proved for a process, its variables change only finitely often; therefore these variables
+//              are assumed to be constant when later processes are examined.
+//   `moves`:   The urgent edges of the process have no cycle while all variables of other processes are constant.
 //
 // An edge of a timer can *accept a request*. A request is a variable v that only PLCs set to true. The guard of the
 // edge has the conjunct `v`, and the edge assigns false to v. An edge that accepts a request is taken at most once per

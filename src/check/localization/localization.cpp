@@ -140,7 +140,7 @@ private:
                                                                       // error
 };
 
-/// Explores at most `limits_.whole` states of the complete network. A small model has no further reachable states. In
+/// Explores at most `limits_.whole` states of the complete network. For a small model, this search is complete. In
 /// larger models, states near the initial state often suffice to decide a property.
 void LocalizationCheck::search_complete_model() {
     TimedOptions first = options_;

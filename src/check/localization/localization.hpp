@@ -51,7 +51,7 @@ public:
     /// Performs the first search of the complete network, and then the first round of localization.
     void begin();
     /// Performs a round of localization; each search of the round explores at most `states` states. Has no effect if an
-    /// earlier round had the same or a greater `states`. Returns false if no search remains for the next round.
+    /// earlier round had the same or a greater limit. Returns false if no search remains for the next round.
     bool refine(std::uint64_t states, const Deadline& deadline);
     /// Returns the current result. Undecided verdicts have the outcome Unknown and the obstacle `Bound`. A caller that
     /// decides an undecided verdict also sets Verdict::abstraction.
@@ -69,7 +69,7 @@ private:
 };
 
 /// Checks the properties with the function `whole`, limited to `limits.whole` states. If this search decides every
-/// property, its verdicts are the result. If it reaches the state limit, localization follows. Then, if
+/// property, its verdicts are the result. If the search reaches the state limit, localization follows. Then, if
 /// CellSearch::needs_whole() is true, `whole` searches the network again with the limits of `options`. The limits of
 /// `options` apply to each search separately. If no declared or selected property requires the complete network, an
 /// undeclared `no timelock` remains unknown. Requires verify(network).empty().

@@ -15,9 +15,9 @@ namespace grafverif::pdr {
 using Cube = std::vector<Literal>;
 
 /// Returns the reason why the complement of the cubes is not an inductive invariant that excludes `bad`, or an empty
-/// string if it is one. In this case, no state in which `bad` is true is reachable: the initial state is outside of all
-/// cubes, no step leads from outside of all cubes into a cube, and `bad` is false outside of all cubes. Throws
-/// Exhausted if a limit is exceeded.
+/// string if the complement is such an invariant. After an empty result, no state in which `bad` is true is reachable:
+/// the initial state is outside of all cubes, no step leads from outside of all cubes into a cube, and `bad` is false
+/// outside of all cubes. Throws Exhausted if a limit is exceeded.
 std::string flaw(const Circuit& circuit, Literal bad, const std::vector<Cube>& cubes, LimitMonitor& watch);
 
 }  // namespace grafverif::pdr

@@ -62,7 +62,8 @@ private:
         const Property& property;
         Verdict verdict = {};
         std::optional<SystemRun> run = {};
-        const Circuit::Target* target = nullptr;  ///< null if the query requires no search
+        /// Null if the query requires no search.
+        const Circuit::Target* target = nullptr;
         /// `bad` is proved to be false in the first `cleared` states of every run.
         std::size_t cleared = 0;
         /// `has_value` is true if the operands are proved to have values in every reachable state.
@@ -241,7 +242,7 @@ private:
 
     bool any_open() const { return std::ranges::any_of(questions_, &PropertyQuery::is_open); }
 
-    /// False if the query is a vacuity probe of a property whose check has ended with another outcome than Holds.
+    /// False if the query is a vacuity probe of a property whose check has ended with an outcome other than Holds.
     bool matters(const PropertyQuery& question) const {
         if (!is_probe(question.property)) return true;
         const auto of = std::ranges::find(questions_, probed_by(question.property),
@@ -376,8 +377,8 @@ private:
         }
     }
 
-    /// Searches for a run to a bad state among the runs that are one step longer than the longest runs searched so far.
-    /// Returns nullopt if no such run reaches a bad state.
+    /// Searches for a run of `question.cleared` steps to a bad state. If no such run exists, increments
+    /// `question.cleared` and returns nullopt.
     std::optional<RunInputs> next_step(PropertyQuery& question) {
         if (!unrolling_) unrolling_.emplace(circuit_, watch_);
         std::optional<RunInputs> found = unrolling_->run_to(question.target->bad, question.cleared);

@@ -75,6 +75,7 @@ struct PdrOptions {
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;  ///< cancellation flag; if set, the check ends with the results so far
     std::function<void(const PdrProgress&)> progress = {};  ///< called for every frame of PDR and every step of BMC
+
     /// Used only by Alternating. `answered` is called with every decided verdict as soon as the verdict is available.
     /// `decided_elsewhere` has one flag per property of the system. If another engine has decided a property, its flag
     /// is true, and the check does not continue with this property.

@@ -31,7 +31,8 @@ private:
     void collect(const std::vector<Gates::Literal>& targets);
 
     const Circuit& circuit_;
-    std::vector<bool> is_latch_;  ///< true if the node is a latch
+    /// True if the node is a latch.
+    std::vector<bool> is_latch_;
     /// For each node: the last call of `part` (its number is `round_`) in which the node was visited (`seen_`) or
     /// needed (`needed_`).
     std::vector<std::uint32_t> seen_, needed_;

@@ -28,7 +28,7 @@ void reset(std::vector<std::uint64_t>& bits, std::size_t k) {
 LatchPairs::LatchPairs(const Circuit& circuit, LimitMonitor& watch, const std::vector<NamedCube>* candidates)
     : circuit_(circuit), watch_(watch), candidates_(candidates) {}
 
-/// Creates the rows with all pairs that the initial state does not have and that do not contain the latch `broken`.
+/// Creates the rows with all pairs that the initial state does not satisfy and that do not contain the latch `broken`.
 void LatchPairs::set_candidates() {
     const std::size_t count = circuit_.latches.size();
     Bits all(count / word_bits + 1, 0);
@@ -93,8 +93,8 @@ void LatchPairs::begin() {
     }
 }
 
-/// Adds clauses for the candidates of a row: if the premise of the row, a new variable, is true, the current state has
-/// no candidate of the row.
+/// Adds clauses for the candidates of a row: if the premise of the row, a new variable, is true, the current state
+/// satisfies no candidate of the row.
 void LatchPairs::assume(std::size_t latch) {
     Row& row = rows_[latch];
     row.premise = solver_->fresh();
@@ -105,8 +105,8 @@ void LatchPairs::assume(std::size_t latch) {
     }
 }
 
-/// Adds a clause: if the violation of the row is true, the next state has a candidate of the row. Earlier clauses of
-/// the row, for more candidates, remain in the solver; the new clause implies them.
+/// Adds a clause: if the violation of the row is true, the next state satisfies a candidate of the row. Earlier clauses
+/// of the row, for more candidates, remain in the solver; the new clause implies them.
 void LatchPairs::require_violation(std::size_t latch) {
     const Row& row = rows_[latch];
     if (row.never) return;
@@ -118,7 +118,7 @@ void LatchPairs::require_violation(std::size_t latch) {
     solver_->add(clause);
 }
 
-/// Drops the candidates that the state has.
+/// Drops the candidates that the state satisfies.
 void LatchPairs::drop(const std::vector<bool>& state) {
     Bits values(rows_.size() / word_bits + 1, 0);
     for (std::size_t k = 0; k < state.size(); ++k)
@@ -138,8 +138,8 @@ void LatchPairs::drop(const std::vector<bool>& state) {
     }
 }
 
-/// Searches for a step from a state that has no candidate to a state that has candidates, and drops these candidates.
-/// Returns false if no such step exists.
+/// Searches for a step from a state that satisfies no candidate to a state that satisfies some candidates, and drops
+/// these candidates. Returns false if no such step exists.
 bool LatchPairs::refute() {
     std::vector<int> premises, violations;
     for (const Row& row : rows_) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// LatchPairs: invariants of two literals. A pair consists of two latches and a value of each; a state has the pair if
-// both latches have these values. The search computes pairs that no reachable state has. For example, two steps of a
-// sequence are never both active. All pairs of the result are proved together by induction (Houdini; Flanagan and Leino
-// 2001: "Houdini, an annotation assistant for ESC/Java"; for circuits: Case, Mishchenko and Brayton 2007: "Inductively
-// finding a reachable state space over-approximation").
+// LatchPairs: invariants of two literals. A pair consists of two latches and a value of each; a state satisfies the
+// pair if both latches have these values. The search computes pairs that no reachable state satisfies. For example, two
+// steps of a sequence are never both active. All pairs of the result are proved together by induction (Houdini;
+// Flanagan and Leino 2001: "Houdini, an annotation assistant for ESC/Java"; for circuits: Case, Mishchenko and Brayton
+// 2007: "Inductively finding a reachable state space over-approximation").
 //
-// The candidates are all pairs that the initial state does not have. A SAT solver searches for a step from a state that
-// has no candidate to a state that has some candidates; these candidates are dropped. The search ends if no such step
-// exists.
+// The candidates are all pairs that the initial state does not satisfy. A SAT solver searches for a step from a state
+// that satisfies no candidate to a state that satisfies some candidates; these candidates are dropped. The search ends
+// if no such step exists.
 #pragma once
 
 #include <cstdint>
@@ -54,8 +54,8 @@ private:
     struct Row {
         Bits both = {}, without = {};
         bool never = true;
-        int premise = 0;    // solver variable; if true, the current state has no candidate of the row
-        int violation = 0;  // solver variable; if true, the next state has a candidate of the row
+        int premise = 0;    // solver variable; if true, the current state satisfies no candidate of the row
+        int violation = 0;  // solver variable; if true, the next state satisfies a candidate of the row
     };
 
     void set_candidates();

@@ -26,8 +26,8 @@ struct Obligation {
     Cube state = {};
     Sources inputs = {};        ///< inputs of the step to `successor`; for the last state, inputs for which the state
                                 ///< is bad
-    std::size_t successor = 0;  ///< index of the obligation of the next state; the index of this obligation for the
-                                ///< last state
+    std::size_t successor = 0;  ///< index of the obligation of the next state; for the last state, the index of this
+                                ///< obligation
     std::size_t frame = 0, depth = 0;
 };
 

@@ -26,8 +26,8 @@ Bdd Game::evolved(std::size_t player, const Bdd& pairs) const {
     return states(model_.image(pairs, evolutions_[player]));
 }
 
-/// Returns the states in which the supervisor cannot prevent that the next step leads to `to`: an uncontrollable move
-/// leads to `to`, or an evolution of some player (controller) leads to `to` for every choice of permissions.
+/// Returns the states in which the supervisor cannot prevent a step to `to`: an uncontrollable move leads to `to`, or
+/// an evolution of some player (controller) leads to `to` for every choice of permissions.
 Bdd Game::unavoidable(const Bdd& to) const {
     Bdd found = moves_to(to);
     for (std::size_t player = 0; player < players(); ++player) found |= helpless(player, to);

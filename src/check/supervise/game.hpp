@@ -24,15 +24,16 @@ namespace grafverif::supervise {
 
 /// A controller of the system, which is a player of the game.
 struct Player {
-    Bdd evolves = {};  ///< function of states and choices: true if the step is an evolution of this player
+    /// Function of states and choices: true if the step is an evolution of this player.
+    Bdd evolves = {};
     /// The permissions of the player. Each permission is a choice of the system; a variable of the space represents the
     /// choice.
     std::vector<Bdd> may = {};
 };
 
 /// The losing states, in stages in the order of their detection. For each state of a stage, one of these statements is
-/// true: the state is bad; the stage is blocked; an uncontrollable move leads to an earlier stage; or an evolution
-/// leads to an earlier stage for every choice of permissions.
+/// true: the state is bad; `blocked` is true for the stage; an uncontrollable move leads to an earlier stage; or an
+/// evolution leads to an earlier stage for every choice of permissions.
 struct LosingRegion {
     struct Stage {
         Bdd states = {};

@@ -160,7 +160,7 @@ private:
 
     // -- conditions over observations ---------------------------------------------------------------------------------
 
-    /// Returns the pairs of a state and permissions in which the permission `index` is refused, if it is refused for
+    /// Returns the pairs of a state and permissions to which a refusal applies: the permission `index` is refused for
     /// the observations `sights`.
     Bdd refused(std::size_t player, std::size_t index, const Bdd& sights) const {
         if (sights.is_false()) return {};
@@ -434,6 +434,7 @@ private:
     std::optional<Game> game_ = {};
     std::vector<ObservationMap> seen_ = {};       ///< observation map of each player
     std::vector<std::vector<Bdd>> effects_ = {};  ///< for each player and permission: condition of its effect
+
     /// For each player, permission and site (an action that may set the output): set of the steps in which the action
     /// of the site sets the output.
     std::vector<std::vector<std::vector<Bdd>>> site_effects_ = {};

@@ -8,10 +8,11 @@
 // restrictions are equal in states with equal observations.
 //
 // The conditions are classified; the classification considers only states that are reachable under the conditions:
-//   Least     every refused permission would lead to a losing state, so that no supervisor can grant more permissions
-//   Several   a permission could be granted more often only if another permission were refused more often; the
-//             synthesis refuses transitions before outputs, and later elements before earlier elements
-//   Cautious  a supervisor that observes the complete plant could grant more permissions
+//   `Least`:    Every refused permission would lead to a losing state, so that no supervisor can grant more
+//               permissions.
+//   `Several`:  A permission could be granted more often only if another permission were refused more often. The
+//               synthesis refuses transitions before outputs, and later elements before earlier elements.
+//   `Cautious`: A supervisor that observes the complete plant could grant more permissions.
 #pragma once
 
 #include <atomic>
@@ -33,7 +34,8 @@ struct Supervision {
         /// Symbol of the main module: a Boolean choice, which is false if the permission is refused.
         Id<TransitionSystem::Symbol> symbol = {};
         bool output = false;
-        Id<Expr> effect = {};  ///< term over the main module: true if the step clears the transition or sets the output
+        /// Term over the main module: true if the step clears the transition or sets the output.
+        Id<Expr> effect = {};
         /// For an output: indices of observations, one for each action that may set the output. Each of these
         /// observations is called a site.
         std::vector<std::size_t> sites = {};
@@ -43,7 +45,8 @@ struct Supervision {
         std::vector<Id<Expr>> site_effects = {};
     };
     struct Controller {
-        Id<Expr> evolves = {};  ///< term over the main module: true if the step is an evolution of the controller
+        /// Term over the main module: true if the step is an evolution of the controller.
+        Id<Expr> evolves = {};
         /// Terms over the main module, without choices: the observations of the controller. A controller does not
         /// observe its outputs.
         std::vector<Id<Expr>> seen = {};
@@ -95,27 +98,31 @@ struct Supervisor {
     Outcome outcome = Outcome::Unknown;
     std::string reason = {};
     Permissiveness claim = Permissiveness::Least;
-    std::vector<Condition> conditions = {};  ///< conditions; empty if no restriction is necessary
-    /// Cautious: permissions that a supervisor with full observation could grant more often.
+    /// Conditions; empty if no restriction is necessary.
+    std::vector<Condition> conditions = {};
+    /// With Permissiveness::Cautious: permissions that a supervisor with full observation could grant more often.
     std::vector<Selection> hidden = {};
-    /// Several: permissions that could be granted more often if other permissions were refused more often.
+    /// With Permissiveness::Several: permissions that could be granted more often if other permissions were refused
+    /// more often.
     std::vector<Selection> traded = {};
-    /// Found: permissions that the conditions refuse in some reachable state and that have no effect in any reachable
-    /// state. The transition of such a permission is never cleared, or the output of such a permission is never set.
+    /// With Outcome::Found: permissions that the conditions refuse in some reachable state and that have no effect in
+    /// any reachable state. The transition of such a permission is never cleared, or the output of such a permission is
+    /// never set.
     std::vector<Selection> disabled = {};
     /// An observation, identified by its indices.
     struct Observation {
         std::size_t controller = 0, seen = 0;
         bool operator==(const Observation&) const = default;
     };
-    /// Found: observations that are true in some reachable state of the system without conditions, but not in any
-    /// reachable state with the conditions.
+    /// With Outcome::Found: observations that are true in some reachable state of the system without conditions, but
+    /// not in any reachable state with the conditions.
     std::vector<Observation> newly_unreachable = {};
-    /// For each term of Supervision::bad: true if the term holds in some state that is reachable without conditions.
-    /// Empty if the outcome is Unknown or if no condition is necessary.
+    /// For each term of Supervision::bad: true if the term is true or undefined in some state that is reachable without
+    /// conditions. Empty if the outcome is Unknown or if no condition is necessary.
     std::vector<bool> violated = {};
-    /// None: a run to a bad state in which all permissions are granted. No supervisor can prevent this run. If
-    /// `blocked` is true, the run leads to a state from which every path to a marked state contains a losing state.
+    /// With Outcome::None: a run to a bad state in which all permissions are granted. No supervisor can prevent this
+    /// run. If `blocked` is true, the run leads to a state from which every path to a marked state contains a losing
+    /// state.
     std::optional<FlatRun> run = {};
     bool blocked = false;
     FlatSystem flat = {};  ///< system with the variables of `run`

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Check: a check with the symbolic engine. Owns the space of decision diagrams, the model and the verdicts. After a
-// call of `result`, the object can answer further queries about the state space.
+// Check: checks the properties of one system with the symbolic engine. The object owns the space of decision diagrams,
+// the model and the verdicts. After a call of `result`, the object can answer further queries about the state space.
 #pragma once
 
 #include <chrono>

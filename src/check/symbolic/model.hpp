@@ -43,8 +43,8 @@ public:
     /// Returns the predecessors of `states` by one step.
     Bdd preimage(const Bdd& states) const { return preimage(states, steps_); }
     Bdd preimage(const Bdd& states, const std::deque<bdd::ClusterSteps>& steps) const;
-    /// Returns states that some step leaves unchanged. The result may be incomplete: it considers only clusters whose
-    /// steps cannot change any bit.
+    /// Returns states that some step leaves unchanged. The result may be incomplete, because only clusters whose steps
+    /// cannot change any bit are considered.
     Bdd still() const;
     /// Returns the steps that satisfy `condition`, a function of states and choices. The bits `kept`, which are bits of
     /// choices, remain in the images and preimages by these steps; the bits of all other choices are eliminated.

@@ -149,7 +149,7 @@ void PropertyQueries::decide_paths(QueryResult& found, const PropertyQuery& ques
         const Bdd dead = fair_ & ~can_reach(model, search.reached, p & fair_);
         if (dead.is_false()) return;
         verdict.outcome = Outcome::Violated;
-        verdict.notes.emplace_back("the condition is impossible from the last state of the trace");
+        verdict.notes.emplace_back("after the last state of the trace, the condition can never become true");
         const std::vector<State> trace = shortest_trace(model, search, dead);
         found.run = run_of(model, {trace, {}});
         found.dead_state = trace.back();
@@ -198,7 +198,7 @@ void PropertyQueries::mark_vacuous(Verdict& verdict, const PropertyQuery& questi
     }
     if (is_declared_response(property) && sets.operands.front().is_false()) vacuous("the premise is never true");
     if (!is_about_single_states(property.pattern) && !justice_.empty() && (fair_ & model.initial()).is_false())
-        vacuous("no run is fair: the fairness conditions exclude each other");
+        vacuous("no run is fair: the fairness conditions cannot all hold infinitely often");
 }
 
 }  // namespace grafverif::symbolic

@@ -12,10 +12,12 @@ namespace grafverif::symbolic {
 
 /// Result of a search of the reachable states.
 struct ReachableSet {
-    /// The rings that are computed so far. A ring is a set of states at the same distance from the initial states.
+    /// The rings that the search has already computed. A ring is a set of states at the same distance from the initial
+    /// states.
     bdd::Rings rings = {};
     Bdd reached = {};
-    bool witnesses = true;  ///< if true, a run is computed for each `reachable` property that holds
+    /// If true, a run is computed for each `reachable` property that holds.
+    bool witnesses = true;
     /// Reason why the search ended early; None if all reachable states were found.
     UnknownReason obstacle = UnknownReason::None;
     std::string reason = {};

@@ -46,6 +46,7 @@ struct SymbolicOptions {
     std::function<void(const SymbolicProgress&)> progress = {};  ///< called after every step of the search
     bool witnesses = true;                                       ///< if true, the result contains a run for each
                                                                  ///< `reachable` property that holds
+
     /// If true, the steps are partitioned into event clusters (event_clusters.hpp), and the reachable states are
     /// computed by saturation.
     bool by_kind = true;

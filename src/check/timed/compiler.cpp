@@ -15,8 +15,8 @@ namespace grafverif::timed {
 namespace {
 
 constexpr std::uint32_t largest_tree = 4096;  // maximum number of nodes of a tree; larger terms are compiled by `eager`
-constexpr double largest_value = 4.0e18;      // a term whose absolute value may be greater is treated as a term that
-                                              // may overflow
+constexpr double largest_value = 4.0e18;      // a term whose absolute value may exceed this limit is treated as one
+                                              // that may overflow
 
 Id<Network::Variable> variable_of(const Expr& node) { return {static_cast<std::uint32_t>(node.value)}; }
 

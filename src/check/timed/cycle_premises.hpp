@@ -86,7 +86,7 @@ private:
     Variables used_ = {}, written_ = {};  // variables that the timers use, and variables that they write
     std::vector<Uses> uses_ = {};         // variables that each process reads and writes; empty for observers and the
                                           // PLC
-    std::vector<bool> is_other_ = {};     // per process: true except for observers and the PLC
+    std::vector<bool> is_other_ = {};     // per process: true unless it is an observer or the PLC
     Variables of_observers_ = {};         // variables that observers write
     Variables seen_by_observers_ = {};    // variables that observers read
 };

@@ -60,6 +60,7 @@ constexpr std::uint32_t slices_each = 64;      // number of slices (groups of co
                                                // block
 constexpr std::size_t many_text = 1U << 21U;   // a block ends when the computed successors have this number of words
 constexpr std::size_t kept_bytes = 1U << 21U;  // maximum memory, in bytes, that a slice keeps for reuse
+
 // Minimum amount of work, in slices of states or new states, that is performed in parallel.
 constexpr std::size_t worth_sharing = 16;
 constexpr std::size_t link_bytes = 24;  // maximum number of bytes of links per state; links are dropped if they need

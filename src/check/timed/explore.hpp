@@ -56,8 +56,8 @@ public:
     /// Returns the reason why the search must end, or None. Reports progress periodically. `more` is the number of
     /// bytes that the search uses in addition to the memory of the graph.
     UnknownReason stop_reason(const Graph& graph, std::uint32_t state, std::size_t more);
-    /// Computes a profile of the states found so far, if their number is large and the options request a profile. The
-    /// function computes at most one profile.
+    /// Computes a profile of the states that have been found, if their number is large and the options request a
+    /// profile. The function computes at most one profile.
     void explain(Graph& graph);
     bool too_many(const Graph& graph) const {
         return graph.states() >= options_.max_states || graph.states() >= Store::most ||

@@ -45,7 +45,7 @@ public:
 
 private:
     std::size_t base_ = 0;
-    std::size_t first_ = 0;            // words before this word are not used for further fields
+    std::size_t first_ = 0;            // index in used_ of the first word that further fields can use
     std::vector<unsigned> used_ = {};  // number of bits used in each open word
 };
 

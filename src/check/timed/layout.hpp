@@ -20,7 +20,7 @@
 
 namespace grafverif::timed {
 
-/// An interval of the values of a clock that constraints admit (ir/network_clocks.hpp).
+/// An interval of clock values that constraints admit (ir/network_clocks.hpp).
 using Interval = ClockInterval;
 
 /// Returns a text that names the first element for which integer time may be inexact: a strict constraint, or an urgent
@@ -55,12 +55,14 @@ struct Layout {
     std::vector<Field> locations = {};            ///< one field per process
     std::vector<Field> variables = {};            ///< one field per variable
     std::vector<std::vector<Field>> clocks = {};  ///< one field per process and clock
+
     /// For each input choice: the field that stores the set of possible valuations. The field has width 0 if the set is
     /// not stored.
     std::vector<Field> choices = {};
     std::size_t stored = 1;  ///< number of words that are stored for a state
     std::size_t words = 1;   ///< number of words including scratch variables
     std::size_t halves = 1;  ///< number of 32-bit units that contain all stored bits
+
     /// Indices of the 32-bit units at which the fields of a subsystem begin, except for the first subsystem.
     std::vector<std::size_t> seams = {};
 };

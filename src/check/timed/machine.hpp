@@ -119,7 +119,7 @@ private:
     struct Row {                                      // the compiled data of one location of one process
         std::uint32_t first = 0, last = 0;            // range in edges_
         std::uint32_t first_tick = 0, last_tick = 0;  // range in ticks_
-        Word bounds = 0, late = 0;                    // mask of all bounds of its invariant; mask of its bounds of at
+        Word bounds = 0, late = 0;                    // mask of all bounds of the invariant; mask of the bounds of at
                                                       // least one time unit
     };
     struct Place {

@@ -15,11 +15,11 @@
 //     are ignored, because reading equal states repeatedly does not change an observer.
 //   - A PLC has begun a cycle, but has not sampled its inputs yet, and this PLC may begin a cycle whenever it waits
 //     (MacroStepOptions::unprompted). Only the PLC moves, because the other processes can also move before the cycle
-//     begins. The two orders lead to the same states, except that a flag that requests a cycle may also be true. The
-//     flag has no effect, because the PLC may begin this cycle without the flag.
-//   - No PLC is within a cycle, and a timer can accept a request of its PLC. Only this timer moves. Until then, the PLC
-//     cannot leave its waiting location W. The edges of all other processes are independent of the request and remain
-//     enabled.
+//     begins. Both orders of these moves lead to the same states, except that a flag that requests a cycle may also be
+//     true. The flag has no effect, because the PLC may begin this cycle without the flag.
+//   - No PLC is within a cycle, and a timer can accept a request of its PLC. Only this timer moves. Before the request
+//     is accepted, the PLC cannot leave its waiting location W. The edges of all other processes are independent of the
+//     request and remain enabled.
 // The conditions that name timers change the order of edges of timers. These conditions require that only the PLC and
 // its timers use the variables that the timers write, and that no property reads these variables. The order is also
 // irrelevant for observers, because consecutive readings of equal states change the location of an observer at most
@@ -123,7 +123,7 @@ private:
         std::vector<Reset> outputs = {};  // dead outputs, with their initial values
     };
     std::vector<Cycle> cycles_ = {};
-    std::vector<bool> observers_ = {}, deferred_ = {};  // per process: true for an observer; true if it is deferred
+    std::vector<bool> observers_ = {}, deferred_ = {};  // per process: true for observers; true for deferred processes
     std::vector<std::size_t> accepts_ = {};             // per process: for a timer that accepts requests, the index of
                                                         // its PLC in `cycles_`; otherwise `none`
 };

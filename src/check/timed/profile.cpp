@@ -19,7 +19,8 @@ namespace grafverif::timed {
 
 namespace {
 
-constexpr std::size_t most_rests = std::size_t{1} << 21U;  // approximate maximum number of stored hashes of rests
+// Approximate maximum number of stored hashes of rests.
+constexpr std::size_t most_rests = std::size_t{1} << 21U;
 // Maximum number of different component values that are stored, for all components together. Each component may store
 // at least 256 values.
 constexpr std::size_t most_seen = std::size_t{1} << 20U;

@@ -10,8 +10,8 @@
 namespace grafverif::timed {
 
 enum class Effort {
-    Brief,  ///< the computation takes about 0.1 s, because the user waits for the result
-    Full,   ///< the computation takes a few seconds
+    Brief,  ///< for a computation of about 0.1 s, because the user waits for the result
+    Full,   ///< for a computation of a few seconds
 };
 /// Returns a profile of the states that the search found first; `effort` limits their number. `finest` is the duration
 /// of the model that requires the current, fine time unit, or nullopt.

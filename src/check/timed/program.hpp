@@ -58,8 +58,8 @@ struct Instruction {
     Word mask = 0;          ///< Load, Within, Store, Cap: mask of the field; Test, Patch: see Opcode
     Word value = 0;         ///< Test, Patch: bits; Load, Constant, Store: lower bound; Within: low; Cap: the cap
     Word span = 0;          ///< Within, Store: number of values above the lower bound
-    std::uint32_t yes = 0;  ///< index of the next instruction; for a test, if the result is true
-    std::uint32_t no = 0;   ///< test: index of the next instruction if the result is false
+    std::uint32_t yes = 0;  ///< index of the next instruction; for a test: if the result is true
+    std::uint32_t no = 0;   ///< for a test: index of the next instruction if the result is false
     std::uint32_t to = 0, a = 0, b = 0, c = 0;  ///< registers; for Store, `to` is the index of the variable
     std::uint16_t word = 0;
     std::uint8_t shift = 0;

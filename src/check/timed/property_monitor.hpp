@@ -49,7 +49,7 @@ private:
         Word mask = 0;
         std::size_t search = 0;
     };
-    struct Bits {  // bits of one word whose searches have the same predicate `quiescent`
+    struct Bits {  // bits of one word; their searches have the same predicate `quiescent`
         std::uint16_t word = 0;
         std::uint32_t quiescent = 0;
         Word missing = 0;

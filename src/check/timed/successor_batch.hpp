@@ -54,6 +54,7 @@ struct alignas(own_lines) SuccessorBatch {
     std::vector<std::uint32_t> kept = {};
     std::vector<Word> words = {};  ///< words of the states in `kept`, Layout::words for each state
     Links::Chunk links = {};       ///< valid after all targets have numbers
+
     /// The first uncovered bounds in the slice (see Moves::stuck_bound and Moves::locked_bound).
     std::optional<UncoveredAt> stuck_bound = {}, locked_bound = {};
     std::vector<FaultAt> faults = {};

@@ -8,10 +8,10 @@
 //
 // Exactness (proof: docs/explanation/timed-engine.md, "Exactness"). With closed clock constraints, integer time reaches
 // the same discrete states as dense time; therefore `always`, `never` and `reachable` are exact. If the model has a
-// strict constraint, a run in integer time still decides these properties, but the absence of such a run does not. A
-// run in integer time can refute `inevitable`, `leads to`, `no deadlock` and `no timelock`. The engine proves that one
-// of these properties holds only if no timelock can occur in dense time at a time that is not an integer. If such a
-// timelock may occur, the verdict is unknown, and its reason names the location.
+// strict constraint, a run in integer time still decides these properties, but the absence of a run in integer time
+// does not. A run in integer time can refute `inevitable`, `leads to`, `no deadlock` and `no timelock`. The engine
+// proves that one of these properties holds only if no timelock can occur in dense time at a time that is not an
+// integer. If such a timelock may occur, the verdict is unknown, and its reason names the location.
 //
 // Counterexamples to properties about single states have the minimum number of moves; a delay of any length counts as
 // one move.
@@ -79,8 +79,8 @@ struct MacroStepOptions {
 enum class ProfileFor : std::uint8_t { None, IfLarge, All };
 
 struct TimedOptions {
-    std::vector<std::string> properties = {};  ///< names of the properties to check; an empty list selects all. See
-                                               ///< `timelock`
+    std::vector<std::string> properties = {};  ///< names of the properties to check; an empty list selects all; see
+                                               ///< also `timelock`
     std::uint64_t max_states = 500'000'000;
     /// Maximum number of transitions. A search that reaches this number ends as if it had reached `max_states`.
     std::uint64_t max_transitions = ~std::uint64_t{0};
@@ -88,14 +88,16 @@ struct TimedOptions {
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;  ///< cancellation flag; if set, the check ends with the results so far
     unsigned jobs = 1;    ///< number of threads; 0 selects one thread per core. The results do not depend on this
-                          ///< number
+                          ///< number.
     unsigned slice = 64;  ///< maximum number of states in a slice, the unit of work of a thread
+
     /// If true, the engine stores the edges of the state graph (links) if a property needs them. If false, the engine
     /// needs less memory, but liveness properties need several times more work.
     bool keep_links = true;
     bool timelock = true;                   ///< if false, `no timelock` is decided only if the model declares it
     bool premises = false;                  ///< if true, TimedResult::premises is computed
     std::vector<InputChoice> choices = {};  ///< choices of input values, if the network is an input abstraction
+
     /// True if the network is an input abstraction, with or without choices. For an input abstraction, `no timelock`
     /// holds only if no sequence of urgent edges is infinite.
     bool abstracted = false;
@@ -106,13 +108,14 @@ struct TimedOptions {
     MacroStepOptions macro_steps = {};
     bool until_decided = false;  ///< if true, the search ends when single states have decided all properties
     bool paths = false;          ///< if true, TimedResult::paths is computed
+
     /// Called for each state, after the verdicts are computed. Not called if the search is incomplete or covering is
     /// used. A clock value above the cap of the clock is represented by the cap (ir/network_clocks.hpp).
     std::function<void(const NetworkState&)> each_state = {};
     std::function<void(const TimedProgress&)> progress = {};  ///< called a few times per second
     ProfileFor profile = ProfileFor::IfLarge;
-    std::function<void(const StateProfile&)> many = {};  ///< called once, when the search has found `many_states`
-                                                         ///< states
+    /// Called once, when the search has found `many_states` states.
+    std::function<void(const StateProfile&)> many = {};
     /// Returns the duration of the model that determines the time unit. Called when a profile is computed.
     std::function<std::optional<StateProfile::Finest>()> finest = {};
 };
@@ -148,6 +151,7 @@ struct TimedResult {
     bool complete = true;      ///< true if every reachable state was expanded
     bool time_passes = false;  ///< true if time passes in some reachable state
     bool settles = true;       ///< false if a search for a quiescent state found no such state
+
     /// State profile, if TimedOptions::profile selects this search. Also empty if memory is insufficient for the
     /// computation of the profile.
     std::optional<StateProfile> profile = {};

@@ -196,8 +196,8 @@ void PropertyQueries::decide_deadlock(PropertyQuery& query, Graph& graph, const 
 }
 
 /// Decides `no timelock` for an input abstraction. For all choices of input values, each sequence of urgent edges must
-/// lead to a state in which time passes (ir/network_inputs.hpp). It is not sufficient that such a state is reachable
-/// for some choices.
+/// lead to a state in which time passes (ir/network_inputs.hpp). It is not sufficient that a state in which time passes
+/// is reachable for some choices.
 void PropertyQueries::decide_timelock_of_abstraction(PropertyQuery& query, Graph& graph, const Limits& limits) const {
     holds_if_dense(query, graph, graph.locked_bound);
     if (query.verdict.outcome != Outcome::Holds) return;

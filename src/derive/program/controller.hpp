@@ -24,7 +24,8 @@ namespace grafverif {
 /// A program as a controller of a loop.
 struct ProgramController {
     std::string name = {};
-    std::optional<TaskCycle> cycle = {};  ///< task cycle; if empty, the cycle time is zero
+    /// Task cycle; if empty, the cycle time is zero.
+    std::optional<TaskCycle> cycle = {};
     /// The internal variables that properties read. Another internal variable has an equation only if an output, a
     /// step, a fault or an observed variable depends on it. Exception: without a task cycle, or if `reads_stable` is
     /// true, all internal variables have equations. In these cases, `Equations::stable` affects the behaviour or a

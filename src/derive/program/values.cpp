@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Evaluates expressions. Values outside the range of a type wrap around. A value wraps around by adding or subtracting
-// the number of values of its type. The operation and the ranges of its operands determine if adding or subtracting
-// once is sufficient.
+// the number of values of its type. The operation and the ranges of its operands determine whether adding or
+// subtracting once is sufficient.
 #include <algorithm>
 #include <bit>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Writes Equations as a controller in C99: a header and a source file without other dependencies than <stdbool.h> and
-// <stdint.h>. The two files contain the same statements as the function block in Structured Text (emit/controller).
+// Writes Equations as a controller in C99: a header and a source file that depend only on <stdbool.h> and <stdint.h>.
+// The two files contain the same statements as the function block in Structured Text (emit/controller).
 //
-//   NAME_inputs   struct of the inputs
-//   NAME_state    struct of the outputs, the internal variables and the timers
-//   NAME_init     sets the state at power-on
-//   NAME_scan     executes one PLC cycle: reads the inputs, and changes the state. Its argument `elapsed_ms` is the
-//                 time since the previous call
+//   `NAME_inputs`: The struct of the inputs.
+//   `NAME_state`:  The struct of the outputs, the internal variables and the timers.
+//   `NAME_init`:   Sets the state at power-on.
+//   `NAME_scan`:   Executes one PLC cycle: reads the inputs, and changes the state. Its argument `elapsed_ms` is the
+//                  time since the previous call.
 //
 // Integers have fixed widths. The code allocates no memory, and has no recursion and no global variables. Its only loop
 // is the stability search, which executes at most NAME_MAX_EVOLUTIONS evolutions.

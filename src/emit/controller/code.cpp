@@ -80,7 +80,7 @@ private:
     }
 
     struct Times {
-        Id<Timer> on = {}, off = {};  ///< invalid if there is no rise time or fall time
+        Id<Timer> on = {}, off = {};  ///< `on` is invalid without a rise time, `off` is invalid without a fall time
         Id<Cell> lasted = {};         ///< condition that the rise time has elapsed; valid only if both timers exist
     };
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Code of a controller: statements that compute one PLC cycle of a chart, from which Structured Text and C are printed.
 //
-//   every-cycle mode:                         with stability search:
-//     sample the timers                         sample the timers
-//     one evolution                             one evolution and an update of the timers, repeated until stable
-//     outputs                                   outputs
-//     update the timers                         update the timers
+// In every-cycle mode, a cycle samples the timers, executes one evolution, writes the outputs and updates the timers.
+// With stability search, a cycle samples the timers, repeats an evolution and an update of the timers until the
+// situation is stable, writes the outputs and updates the timers.
 //
 // Time is constant within a cycle, as in the equations: the output of a timer is sampled once, at the start of the
 // cycle, and later changes only as a consequence of evolutions. A TON whose input becomes FALSE and TRUE again within
@@ -16,8 +14,8 @@
 //
 // The printer of a target language translates the statements one by one. A target language must provide Booleans,
 // integers of 16 and 32 bits, and two timers:
-//   TON   true once its input has been true for the preset time
-//   TOF   true while its input is true, and for the preset time after its input has become false
+//   `TON`: The output is true once the input has been true for the preset time.
+//   `TOF`: The output is true while the input is true, and for the preset time after the input has become false.
 #pragma once
 
 #include <cstdint>

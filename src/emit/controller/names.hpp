@@ -23,7 +23,8 @@ InterfaceNames interface_names(const std::string& chart, std::span<const std::st
                                std::span<const std::string_view> reserved = {});
 
 struct TimerNames {
-    std::string on = {};  ///< name of the TON; empty if there is no rise time
+    /// Name of the TON; empty if there is no rise time.
+    std::string on = {};
     /// Name of the condition that the rise time has elapsed; empty unless there are both a rise time and a fall time.
     std::string lasted = {};
     std::string off = {};  ///< name of the TOF; empty if there is no fall time
@@ -31,7 +32,8 @@ struct TimerNames {
 
 struct Names {
     std::string block = {};
-    std::vector<std::string> variables = {};  ///< name of each variable in the interface
+    /// Name of each variable in the interface.
+    std::vector<std::string> variables = {};
     /// Name of the cell that stores each variable; for an output with stored actions, the name of its image.
     std::vector<std::string> storage = {};
     std::vector<std::string> fresh = {};  ///< temporary variable for the new value of each variable, if needed

@@ -19,6 +19,7 @@ struct Item {
     bool lane = false;
     int size = 0;   ///< size in the direction `across`
     double at = 0;  ///< start in the direction `across`
+
     // The following members are valid only for a node.
     bool is_reached_back = false;  ///< true if the node has incoming lines that do not come from the previous layer
     int rows = 0;                  ///< size of the rows in the direction `across`

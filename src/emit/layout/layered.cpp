@@ -15,6 +15,7 @@ namespace {
 
 constexpr int label_margin = 5;  ///< space between a label and its line, and between a label and the box
 constexpr int loop_depth = 9;    ///< distance between the two lines of a loop
+
 /// Distances in a channel: before its tracks, between them, and after them.
 constexpr int before_tracks = 10, track_gap = 9, after_tracks = 18;
 

@@ -181,7 +181,7 @@ Drawing draw(const Graph& graph) {
     for (std::size_t i = 0; i < scales.size(); ++i) {
         const Skeleton lines = skeleton(graph, order, scales[i]);
         Attempt attempt;
-        // Reserved, because labels refer to nodes by their addresses.
+        // Reserves the memory first, because labels refer to nodes by their addresses.
         attempt.drawing.nodes.reserve(graph.nodes.size());
         attempt.drawing.links.reserve(graph.links.size());
         Placer(graph, lines).place(attempt);

@@ -19,7 +19,7 @@ std::uint64_t key(int column, int row) {
 bool runs_through(const Segment& segment, const Box& box) {
     const Vector step = segment.to - segment.from;
     double first = 0, last = 1;
-    const auto clip = [&](double slope, double limit) {  // keeps the values t with slope * t <= limit
+    const auto clip = [&](double slope, double limit) {  // restricts t to values with slope * t <= limit
         if (std::abs(slope) < 1e-9) return limit >= 0;
         if (slope > 0) last = std::min(last, limit / slope);
         else first = std::max(first, limit / slope);

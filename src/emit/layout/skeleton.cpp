@@ -199,9 +199,9 @@ struct Bundle {
     std::vector<std::size_t> outer = {}, inner = {};
 };
 
-/// Distributes the links between each two nodes. Links that lead forward in the order of the nodes are on the outer
-/// side, and backward links are on the inner side. If all links have the same direction, they are distributed over both
-/// sides.
+/// Distributes the links of each pair of nodes over the two sides of the straight line between the nodes. Links that
+/// lead forward in the order of the nodes are on the outer side, and backward links are on the inner side. If all links
+/// have the same direction, they are distributed over both sides.
 std::map<Pair, Bundle> bundles(const Graph& graph, const Arrangement& arrangement) {
     std::vector<std::size_t> place(graph.nodes.size());
     for (std::size_t i = 0; i < arrangement.order.size(); ++i) place[arrangement.order[i]] = i;

@@ -23,7 +23,7 @@ Arrangement arrangement(const Graph& graph);
 
 struct Route {
     std::vector<Vector> nails = {};
-    Segment middle = {};  ///< segment of the link next to its label; for a loop, both ends are the tip
+    Segment middle = {};  ///< segment of the link next to its label; for a loop, both ends are its outermost point
     Vector outward = {};  ///< unit vector from `middle` towards the label
 };
 

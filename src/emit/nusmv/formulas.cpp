@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks formulas for external tools against the model into which they are written. This check is necessary, because
+// Checks formulas for external tools against the model into which they are written. The check is necessary, because
 // NuSMV rejects a complete model if one name is unknown.
 #include <algorithm>
 #include <functional>
@@ -40,7 +40,7 @@ public:
     }
 
 private:
-    /// A symbol of main (the instance is invalid), or a symbol of an instance.
+    /// A symbol of an instance; if the id of the instance is invalid, a symbol of main.
     using Place = std::pair<Id<System::Instance>, Id<System::Symbol>>;
 
     void add(const std::vector<std::string>& names, const std::string& path, Id<System::Instance> instance) {
@@ -83,7 +83,8 @@ private:
     std::unordered_set<std::string> values_ = {};
 };
 
-/// Returns `system` without the properties for which `fault` returns a reason. These properties are listed as omitted.
+/// Returns `system` without the properties for which `fault` returns a reason, and adds these properties to the list of
+/// omitted properties.
 System without_faulty(System system, const std::function<std::optional<std::string>(const Property&)>& fault) {
     Table<Property> kept;
     std::vector<System::Omitted> omitted;

@@ -227,8 +227,8 @@ void print_header(std::ostream& out, const System& system, const Names& names) {
         out << "--\n";
         print_comment(out,
                       "A property P with the pattern reachable is written as its negation: P holds if never_P is "
-                      "false, and is violated if never_P is true. (EF would require such a run from every initial "
-                      "state, and a fair run if there are JUSTICE conditions.)");
+                      "false, and is violated if never_P is true. (EF would require a run to a satisfying state from "
+                      "every initial state, and a fair run if there are JUSTICE conditions.)");
     }
     if (names.changed.empty()) return;
     out << "--\n"

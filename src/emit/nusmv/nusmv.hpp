@@ -3,16 +3,17 @@
 // instances and the specifications. One module per controller follows, with VAR, ASSIGN (init and next) and DEFINE.
 //
 // Mapping:
-//   variable     VAR `x : boolean;`, `n : 0..10;` or `{still, moving}`, in the order of the symbols, which is the order
-//                of the BDD variables
-//   choice       IVAR declaration
-//   transitions, invariants, justice   TRANS, INVAR, JUSTICE
-//   always, never, exactly one of   INVARSPEC      at stable: `settled -> ...`
-//   reachable    INVARSPEC never_P := !p   at stable: `settled -> !p`; P holds if never_P is false
-//   inevitable   SPEC AF p         at stable: AF (settled & p)
-//   p leads to q SPEC AG (p -> AF q)   at stable: `settled & ...` in both operands
-//   always possible  SPEC AG EF p  at stable: AG EF (settled & p)
-//   ctl, ltl     SPEC, LTLSPEC; the formula is copied from the file
+//   variable: A declaration in VAR: `x : boolean;`, `n : 0..10;` or `x : {still, moving};`. The order of the
+//     declarations is the order of the symbols and of the BDD variables.
+//   choice: A declaration in IVAR.
+//   transitions, invariants, justice: TRANS, INVAR, JUSTICE.
+//   `always`, `never`, `exactly one of`: INVARSPEC; with `at stable`: `settled -> ...`.
+//   `reachable p`: `INVARSPEC never_P := !p`; with `at stable`: `settled -> !p`. P holds if never_P is false.
+//   `inevitable p`: `SPEC AF p`; with `at stable`: `AF (settled & p)`.
+//   `p leads to q`: `SPEC AG (p -> AF q)`; with `at stable`: `settled & ...` in both operands.
+//   `always possible p`: `SPEC AG EF p`; with `at stable`: `AG EF (settled & p)`.
+//   `ctl`, `ltl`: SPEC, LTLSPEC; the formula is copied from the file.
+//
 // Every specification has the name of its property. The exception is `reachable`: its specification is negated and
 // named `never_P`, because a specification is true only if all initial states satisfy it (emit/nusmv/properties). An
 // omitted property is replaced by a comment with the reason. A value with several cases is `case ... esac`. Names are
@@ -33,7 +34,7 @@ TransitionSystem sayable(TransitionSystem system);
 /// other values. Formulas for external tools are kept.
 TransitionSystem narrow(TransitionSystem system);
 
-/// Writes the model. Requires verify(system).empty(), and that the system fits (emit/wide.hpp).
+/// Writes the model. Requires verify(system).empty(), and that 32 bits are sufficient for the system (emit/wide.hpp).
 void emit(const TransitionSystem& system, std::ostream& out);
 
 /// Returns the names in the model that `emit` writes.

@@ -3,9 +3,9 @@
 // x) -> y`.
 //
 // A specification of SMV is true if every initial state satisfies it; under fairness, only initial states of fair runs
-// are considered. All patterns except `reachable` concern all initial states in the same way. The specification `EF p`
-// would be false if p were reachable from one initial state but not from another. It would be vacuously true if no run
-// were fair. Therefore `reachable p` is written as `never p`.
+// are considered. All patterns except `reachable` are requirements on every initial state. The specification `EF p`
+// would be false if p were reachable from one initial state but not from another. `EF p` would be vacuously true if no
+// run were fair. Therefore `reachable p` is written as `never p`.
 #include <ostream>
 
 #include "emit/nusmv/text.hpp"
@@ -42,7 +42,7 @@ struct Printer {
         return '(' + bracketed(system.settled) + " & " + bracketed(term) + ')';
     }
 
-    /// Operands with operators are in parentheses, because the grammar of NuSMV 2.5 requires them.
+    /// An operand that contains an operator is in parentheses, as the grammar of NuSMV 2.5 requires.
     std::string exactly_one(const Property& property) const {
         if (property.operands.size() == 1) return text(property.operands[0]);
         std::string list;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Maps the elements of a flat system to the names in the model that `emit` writes. With this map, grafverif reads
+// Maps the elements of a flat system to the names in the model that `emit` writes. grafverif uses the map to read
 // traces of NuSMV.
 #include "emit/nusmv/nusmv.hpp"
 #include "emit/nusmv/text.hpp"

@@ -22,6 +22,7 @@ struct Names {
     std::vector<std::vector<std::string>> symbols = {};
     std::vector<std::string> instances = {};
     std::vector<std::string> properties = {};  ///< names of the specifications; `never_P` for a `reachable` property P
+
     /// The names of named values, which are global constants in NuSMV, and the index of each name.
     std::vector<std::string> values = {};
     std::unordered_map<std::string, std::size_t> value_places = {};

@@ -29,6 +29,7 @@ struct Slots {
     std::vector<std::string> names = {};  ///< unique name of each slot of a state, with letters, digits and `_`
     std::vector<std::int64_t> initial = {};
     std::uint32_t scratch = 0;  ///< number of additional slots for temporary values during a move
+
     /// Slot of each process; empty if the process has a single location.
     std::vector<std::optional<Slot>> locations = {};
     /// Slot of each variable; empty if the variable has a single value.

@@ -18,6 +18,7 @@ struct DialectRow {
     Dialect dialect = Dialect::Iec;
     FileForm file = FileForm::Standard;
     std::string_view on_delay = "TON", off_delay = "TOF";  ///< names of the timer types
+
     /// Text before each name of a variable or instance in statements.
     std::string_view prefix = {};
     /// Character that encloses the name of the block in its first line.

@@ -3,15 +3,16 @@
 // the chart, which executes one PLC cycle per call. The block implements the same equations that are verified.
 //
 // Mapping:
-//   input, output          VAR_INPUT, VAR_OUTPUT of the same name; outputs are written at the end of the cycle
-//   X_s, CF_t, internals   local variables; integers are DINT
-//   time condition         TON, followed by TOF if it has a fall time. The timers are called before the first evolution
-//                          of the cycle, in order to sample the time, and after each evolution. Therefore a step that
-//                          is deactivated and activated again within one cycle restarts its timer
-//   stability search       WHILE the situation is not stable, bounded by MAX_EVOLUTIONS
-//   faults                 output FAULT: 1 no stable situation within the bound (total instability), 2 a race of stored
-//                          actions, 3 a value outside its range, 4 contradictory forcing orders. After a fault the
-//                          block keeps its outputs and has no further effect.
+//   input, output: VAR_INPUT, VAR_OUTPUT of the same name. Outputs are written at the end of the cycle.
+//   X_s, CF_t, internal variables: Local variables; integers are DINT.
+//   time condition: TON, followed by TOF if the time condition has a fall time. The timers are called before the first
+//     evolution of the cycle, in order to sample the time, and after each evolution. Therefore a step that is
+//     deactivated and activated again within one cycle restarts its timer.
+//   stability search: WHILE the situation is not stable, bounded by MAX_EVOLUTIONS.
+//   fault: The value of the output FAULT: 1 for no stable situation within the bound (total instability), 2 for a race
+//     of stored actions, 3 for a value outside its range, 4 for contradictory forcing orders. After a fault the block
+//     keeps its outputs and has no further effect.
+//
 // New values are computed from old values. If an assignment would change an operand of a later assignment, the new
 // value is stored in a temporary variable (N_...). Names are converted to legal names once (syntax/print/legal_names);
 // changed names are listed in the header.

@@ -3,8 +3,9 @@
 //
 // Each row of the test is one branch of a CASE statement, with inputs, expected outputs, number of scans and waiting
 // time. During a wait, the controller is not called: its timers continue, and the elapsed time is visible at the next
-// scan. The timers of the controller start before the timer of the wait, so that they have expired when the wait ends.
-// Each sequence uses a separate instance of the controller, so that it starts at power-on.
+// scan. A timer of the controller starts earlier than the timer of the wait; therefore, if its duration is at most the
+// waiting time, the timer has expired when the wait ends. Each sequence uses a separate instance of the controller, so
+// that it starts at power-on.
 #include <fmt/format.h>
 
 #include <algorithm>

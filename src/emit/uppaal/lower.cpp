@@ -30,7 +30,7 @@ void split_by_start(Network& network) {
     for (const Template& automaton : network.templates) names.take(automaton.name);
 
     Table<Template> templates;
-    // For each element of `used`: the template for it.
+    // The template for each element of `used`.
     std::vector<std::vector<Id<Template>>> variants(network.templates.size());
     for (const Id<Template> id : network.templates.ids()) {
         const Template& automaton = network.templates[id];

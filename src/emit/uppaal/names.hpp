@@ -28,6 +28,7 @@ struct Names {
     std::vector<std::string> variables = {}, processes = {}, templates = {};
     std::string channel = {};             ///< channel on which every urgent edge emits
     std::vector<LocalNames> locals = {};  ///< local names of each template
+
     /// Names that differ from the names in the network; a local name is listed as `template.name`.
     std::vector<Renaming> changed = {};
 };

@@ -22,6 +22,7 @@ namespace {
 
 constexpr int char_width = 8, line_height = 17;
 constexpr std::size_t label_width = 34;  // width of a label in columns
+
 // Maximum number of characters in a guard; a longer guard becomes a function.
 constexpr std::size_t longest_guard = 160;
 

@@ -4,14 +4,17 @@
 // queries.
 //
 // Mapping:
-//   variable, clock      `bool x;`, `int[lo,hi] n;`, `clock t;`; globals grouped by role, scratch variables `meta`
-//   Read, Written        `bool &x`, `int[lo,hi] &n`. Parameters that are only read are not `const &`, because UPPAAL
-//                        cannot bind a variable to such a parameter of a process
-//   Constant             `const int D`, `const bool K`
-//   urgent edge          emits on one urgent broadcast channel, which needs no receiver (CEP13 section 5);
-//                        UPPAAL lets no time pass while the guard of the edge holds
-//   procedure            `void evolve() { ... }` of the template, one assignment per line; edges call it
-//   property             a query: formula, a comment that begins with the property's name, the expected outcome
+//   variable, clock: `bool x;`, `int[lo,hi] n;`, `clock t;`. Global variables are grouped by role; scratch variables
+//     are `meta`.
+//   parameter Read, Written: `bool &x`, `int[lo,hi] &n`. Parameters that are only read are not `const &`, because
+//     UPPAAL cannot bind a variable to a `const &` parameter of a process.
+//   parameter Constant: `const int D`, `const bool K`.
+//   urgent edge: Emits on one urgent broadcast channel, which needs no receiver (CEP13 section 5). UPPAAL lets no time
+//     pass while the guard of the edge holds.
+//   procedure: A function `void evolve() { ... }` of the template, with one assignment per line; edges call the
+//     function.
+//   property: A query with a formula, the expected outcome, and a comment that begins with the name of the property.
+//
 // A long guard becomes a Boolean function. Names are converted to legal names once (syntax/print/legal_names); the
 // header of the file contains the map of changed names. A process whose initial location differs from the initial
 // location of its template has a separate template (see `lower`). Locations, edges and labels are laid out by

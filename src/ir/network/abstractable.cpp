@@ -43,7 +43,8 @@ public:
         if (kind == Network::ProcessKind::Controller || kind == Network::ProcessKind::Observer) return {};
         AbstractableProcess made{.process = id};
         const Slots slots(network_, id);
-        bool alone = kind != Network::ProcessKind::Timer;  // true if no other process writes its variables
+        // True if no other process writes the variables of the process.
+        bool alone = kind != Network::ProcessKind::Timer;
         for (const Id<Network::Variable> variable : slots.written()) {
             if (is_flag(variable)) continue;
             if (network_.variables[variable].scratch || users_.writers[variable.index].size() > 1) alone = false;
@@ -107,8 +108,7 @@ private:
         });
     }
 
-    /// Adds each PLC that reads an output in a guard, because guards are evaluated separately from the sampling of
-    /// inputs.
+    /// Adds each PLC that reads an output in a guard, because a guard reads the output itself, not the sampled input.
     void add_guards_of_plcs(const std::vector<Id<Network::Variable>>& outputs,
                             std::set<Id<Network::Process>>& readers) const {
         for (const Id<Network::Process> plc : plcs_)

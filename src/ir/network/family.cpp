@@ -35,7 +35,7 @@ FamilyMember member_of(const Network& network) {
         }
     });
     flat.constants.clear();
-    return {expand(flat), std::move(constants)};  // the second expansion omits the terms of the constants
+    return {expand(flat), std::move(constants)};  // this expansion omits the terms of the removed constants
 }
 
 Network with_only(const Network& frame, const std::string& name) {

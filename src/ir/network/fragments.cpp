@@ -64,10 +64,10 @@ private:
 };
 
 /// Computes the fragments. First, each chart forms a fragment with its steps, the variables that are computed from the
-/// steps, and the variables from which the steps are computed. Then the instances are assigned. An instance that
-/// communicates with exactly one chart is added to the fragment of that chart; an instance that communicates with
-/// several charts forms a separate fragment. An instance that communicates only with other instances is added to the
-/// fragment of one of these instances.
+/// steps, and the variables from which the steps are computed. Then the instances are assigned to fragments. An
+/// instance that communicates with exactly one chart is added to the fragment of that chart; an instance that
+/// communicates with several charts forms a separate fragment. An instance that communicates only with other instances
+/// is added to the fragment of one of these instances.
 class FragmentFinder {
 public:
     explicit FragmentFinder(const Network& network)
@@ -172,6 +172,7 @@ private:
         talks_to_.resize(network_.processes.size());
         neighbours_.resize(network_.processes.size());
         std::vector<std::set<std::uint32_t>> readers(network_.variables.size());  // readers of each variable
+
         // For each variable: the charts that read or write it.
         std::vector<std::set<std::uint32_t>> chart_of(network_.variables.size());
         for (const Id<Network::Process> id : network_.processes.ids()) {

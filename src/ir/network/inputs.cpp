@@ -246,6 +246,7 @@ private:
     const ChoiceLifetime lifetime_;
     std::vector<Id<Network::Process>> removed_ = {};
     std::set<Id<Network::Variable>> woken_ = {};  // flags of PLCs that Chosen instances set
+
     // Outputs of Chosen instances, with the index of their choice.
     std::map<Id<Network::Variable>, std::size_t> chosen_ = {};
     // Per choice and per location of its PLC: true if the cycle reads a variable of the choice after this location.

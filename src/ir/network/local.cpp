@@ -22,7 +22,7 @@ namespace grafverif {
 
 namespace {
 
-/// Flags of a term. Kept: the term reads a kept variable or location. Free: it reads a free variable or location.
+/// Flags of a term. Kept: the term reads a kept variable or location. Free: the term reads a free variable or location.
 enum : std::uint8_t { Kept = 1, Free = 2 };
 
 /// True for Boolean variables by which a PLC, its timers and its cycles interact. The values of these variables are
@@ -118,10 +118,12 @@ private:
     std::vector<std::uint32_t> process_ = {};   // maps processes of the complete network to processes of the result
     std::vector<std::uint32_t> variable_ = {};  // maps variables of the complete network to variables of the result
     std::vector<std::uint8_t> reads_ = {};      // flags of each term of the complete network
-    // Flags of each term for states in which time passes. In these states, variables with a fixed value are not free.
+
+    // Flags of each term for states in which time passes; variables that have a fixed value in these states are not
+    // free.
     std::vector<std::uint8_t> reads_resting_ = {};
     std::set<std::uint32_t> borders_ = {}, tied_ = {};
-    std::vector<std::vector<Id<Network::Variable>>> free_in_ = {};  // for each invariant: the free variables
+    std::vector<std::vector<Id<Network::Variable>>> free_in_ = {};  // free variables that each invariant reads
     std::set<std::size_t> known_ = {};
     TermCopier copy_;
 

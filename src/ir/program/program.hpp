@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Program: a PLC program of IEC 61131-3 with resolved names and checked types, as statements over memory cells.
 //
-// Semantics of one scan. `run/program` interprets the statements according to this semantics, and `derive/program`
-// translates them to equations with the same semantics:
-//   - the inputs get new values, the elapsed times of running timers increase, and the body of `main` is executed once;
-//   - statements execute in order; function blocks and functions execute at each call; a function block keeps its cells
-//     between calls; the cells of a function and of the section VAR_TEMP have their initial values at the beginning of
-//     each call;
-//   - integers wrap around within the range of their type; comparisons, quotients and remainders are computed on the
-//     operands as mathematical integers; the following are run-time faults, after which the behaviour of the program is
-//     unspecified: a division by zero, an index outside of its array, a duration or a value of a subrange outside of
-//     its type, a step of a Sequential Function Chart that is activated while it is active, and an action that is
-//     executed with two durations;
+// `run/program` interprets the statements, and `derive/program` translates them to equations. Both implement the
+// following semantics of a scan:
+//   - At the beginning, the inputs get new values, and the elapsed times of running timers increase. Then the body of
+//     `main` is executed once.
+//   - Statements execute in order; function blocks and functions execute at each call. A function block keeps its cells
+//     between calls. The cells of a function and of the section VAR_TEMP have their initial values at the beginning of
+//     each call.
+//   - Integers wrap around within the range of their type. Comparisons, quotients and remainders are computed on the
+//     operands as mathematical integers.
+//   - After a run-time fault, the behaviour of the program is unspecified. Run-time faults are a division by zero, an
+//     index outside of its array, a duration or a value of a subrange outside of its type, the activation of an active
+//     step of a Sequential Function Chart, and the execution of an action with two durations.
 //   - AND and OR evaluate all operands; AND_THEN and OR_ELSE evaluate the second operand only if the first operand does
 //     not determine the value.
 //
@@ -168,12 +169,12 @@ struct Program {
         struct Transition {
             std::string name = {};  ///< name of the transition; may be empty
             std::vector<std::uint32_t> from = {}, to = {};
-            Id<Statement> test = {};  ///< executed if the transition is enabled; assigns true if it is cleared
+            Id<Statement> test = {};  ///< executed if enabled; assigns true if the transition is cleared
             bool operator==(const Transition&) const = default;
         };
         struct Action {
             std::uint32_t step = 0;
-            std::string label = {};  ///< such as `N Lamp` or `D T#2s Lamp`
+            std::string label = {};  ///< text of the action block, such as `N Lamp` or `D T#2s Lamp`
             bool operator==(const Action&) const = default;
         };
         std::vector<std::uint32_t> initial = {};  ///< the initial steps of the chart
@@ -191,6 +192,7 @@ struct Program {
         Body body = {};
         std::optional<std::uint32_t> result = {};  ///< for a function: offset of the cell of the return value
         std::vector<std::uint32_t> inputs = {};    ///< offsets of the cells of VAR_INPUT, in order of declaration
+
         /// For a timer: offsets of the cell that is true while the timer is running, and of the cell that stores the
         /// elapsed time.
         std::optional<std::uint32_t> running = {}, elapsed = {};
@@ -217,8 +219,8 @@ struct Program {
 /// A run-time fault.
 enum class ProgramFault : std::uint8_t { DivisionByZero, ArrayBounds, Range, Chart };
 
-/// True if the reader created the name, for example of a timer of an action. Such a name contains a space; a name in a
-/// source cannot.
+/// True if the reader of programs created the name, for example the name of a timer of an action. A created name
+/// contains a space; a name in a source cannot contain a space.
 inline bool is_generated_name(std::string_view name) { return name.find(' ') != std::string_view::npos; }
 
 struct ProgramCell {
@@ -245,6 +247,7 @@ struct ProgramLayout {
     std::vector<ProgramInstance> instances = {};
     std::vector<ProgramTimer> timers = {};
     std::uint32_t main = 0;  ///< address of the first cell of `main`
+
     /// Maximum of ProgramTimer::longest; a longer time between two scans has the same effect as this time.
     std::int64_t longest = 0;
 };

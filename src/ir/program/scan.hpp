@@ -20,6 +20,7 @@ struct Scan {
     /// Variable per cell; invalid for constants and temporary variables.
     std::vector<Id<Equations::Variable>> variables = {};
     std::vector<Id<Expr>> after = {};  ///< value per cell at the end of the scan
+
     /// The free input that represents the time since the previous scan; invalid if this time is constant or if no term
     /// reads it.
     Id<Equations::Variable> elapsed = {};
@@ -37,6 +38,7 @@ struct Scan {
     struct Execution {
         Id<Program::Statement> statement = {};  ///< the statement; invalid for a condition
         Id<Program::Node> node = {};            ///< the condition; invalid for a statement
+
         /// For an assignment or read: the cell that is assigned or read. For a call: the first cell of the instance.
         std::uint32_t cell = 0;
         Id<Expr> reached = {};  ///< true if the execution occurs in the scan
@@ -46,7 +48,7 @@ struct Scan {
 };
 
 /// For each variable of the equations: true if a term of `roots` reads the variable, or reads a variable whose next
-/// value depends on it.
+/// value depends on the former variable.
 std::vector<bool> variables_read(const Scan& scan, std::vector<Id<Expr>> roots);
 
 }  // namespace grafverif

@@ -41,8 +41,8 @@ Property decided_property(const Network& flat, const Verdict& verdict) {
     return property;
 }
 
-/// The same for a verdict on a network in which the properties may have other ids. Requires that `flat` declares the
-/// property.
+/// Returns the property that `verdict` decides, for a verdict on a network in which the properties may have other ids.
+/// Requires that `flat` declares the property.
 Property reported_property(const Network& flat, Verdict verdict) {
     for (const Id<Property> id : flat.properties.ids()) {
         const Property& property = flat.properties[id];
@@ -59,7 +59,7 @@ public:
     FolderWriter(Network flat, std::string folder, Certificate& certificate)
         : flat_(std::move(flat)), folder_(std::move(folder)), certificate_(certificate) {}
 
-    /// Adds the claims about `reported`, and the lines `more` to the index. A subfolder without claims is not written.
+    /// Adds the claims about `reported` and the lines `more` to the index. A subfolder without claims is not written.
     /// Returns the lines for the index of the folder that contains this folder. Verdicts of localization and of input
     /// abstraction are proved by fragments. All other verdicts need a complete search.
     std::string write(const std::vector<const Verdict*>& reported, TimedOptions options, const std::string& more = {}) {
@@ -159,8 +159,9 @@ private:
             std::optional<std::string> run;
             if (reason.empty() && !found->run && values >= most_values) reason = "the set of states is too large";
             if (reason.empty() && found->run) {
-                if (ends_with_race(*found->run)) reason = "its run ends with a race";
-                else if (!(run = certificate::run_text(flat_, *found->run, most_bytes))) reason = "its run is too long";
+                if (ends_with_race(*found->run)) reason = "the run of the verdict ends with a race";
+                else if (!(run = certificate::run_text(flat_, *found->run, most_bytes)))
+                    reason = "the run of the verdict is too long";
             }
             if (!reason.empty()) omit(*verdict, std::move(reason));
             else if (run) runs.emplace_back(&*found, std::move(*run));
@@ -199,7 +200,8 @@ private:
 
     /// Returns the reason why the complete search does not certify a verdict, or an empty string.
     std::string obstacle(const Verdict& reported, const Verdict& found, const TimedResult& result) {
-        if (found.outcome == Outcome::Unknown) return "the complete search does not decide it: " + found.reason;
+        if (found.outcome == Outcome::Unknown)
+            return "the complete search does not decide the property: " + found.reason;
         if (found.outcome != reported.outcome) {
             certificate_.failures.push_back(
                 fmt::format("the complete search finds that `{}` {}, but the check reports {}", found.property,

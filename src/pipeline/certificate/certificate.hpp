@@ -26,9 +26,9 @@ struct Certificate {
 /// certification"), both as AIGER. The witness has the same inputs, latches and gates; its `bad` is also true in all
 /// states outside of the invariant. Therefore the property of the witness is inductive and implies the property of the
 /// model. The certificate proves three conditions: the invariant contains all initial states (`initial`), no step
-/// leaves the invariant (`step`), and the invariant implies the property (`safe`). For each condition, it contains
-/// clauses (DIMACS) that are satisfiable only if the condition is violated, and their refutation (LRAT). If a limit is
-/// reached, the property is omitted.
+/// leaves the invariant (`step`), and the invariant implies the property (`safe`). For each condition, the certificate
+/// contains clauses (DIMACS) that are satisfiable only if the condition is violated, and their refutation (LRAT). If a
+/// limit is reached, the property is omitted.
 void add_witness(const std::string& property, const Circuit& circuit, pdr::Literal bad,
                  const std::vector<pdr::Cube>& cubes, const pdr::SolverLimits& limits, Certificate& certificate);
 
@@ -43,8 +43,8 @@ void certify_again(const SystemToCheck& check, const Report& report, const Check
                    Certificate& certificate);
 
 /// Searches the complete loop again, without decomposition, abstractions and covering, and creates the certificate of
-/// the verdicts in `report`, which `check` returned for the same loop. A verdict that this search does not decide within
-/// the limits of `options` is omitted.
+/// the verdicts in `report`, which `check` returned for the same loop. A verdict that this search does not decide
+/// within the limits of `options` is omitted.
 Certificate certificate_of(const LoopToCheck& loop, const Report& report, const CheckOptions& options);
 
 }  // namespace grafverif

@@ -263,7 +263,7 @@ private:
         return (count != 0) != (property.pattern == Pattern::Always);
     }
 
-    /// Calls `run` for each combination of the unknown values that it reads, until it returns true.
+    /// Calls `run` for each combination of the unknown values that `run` reads, until `run` returns true.
     template <class Run>
     bool any_choice(const Run& run) {
         choices_.clear();
@@ -341,7 +341,7 @@ private:
     Values first_ = {};                                               ///< the first state
     std::vector<std::pair<std::int64_t, std::int64_t>> ranges_ = {};  ///< per place
     std::vector<std::size_t> location_ = {};                          ///< per process: the place of its location
-    std::vector<std::vector<std::vector<Bound>>> invariants_ = {};    ///< per process and location
+    std::vector<std::vector<std::vector<Bound>>> invariants_ = {};    ///< bounds of clocks, per process and location
     std::vector<std::pair<std::int64_t, std::int64_t>> bounds_ = {};  ///< per term
     std::vector<std::unique_ptr<Edge>> edges_ = {};
     std::vector<const Edge*> acting_ = {}, urgent_ = {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sets of states of fragments and subsystems of a network, as `grafverif-certify` checks them
-// (src/certify/semantics.hpp). This search has the semantics of that program, but shares no code with it. Its results are not trusted.
+// (src/certify/semantics.hpp). The search in this file has the semantics of `grafverif-certify`, but the two programs
+// share no code, so that an error in the search does not affect `grafverif-certify`.
 #pragma once
 
 #include <atomic>
@@ -16,11 +17,11 @@
 
 namespace grafverif {
 
-/// What the states of a fragment contain. All other variables, locations and clocks are unknown.
+/// The variables, locations and clocks that the states of a fragment contain. All others are unknown.
 struct FragmentContent {
-    std::vector<bool> variables = {};              ///< per variable
-    std::vector<bool> locations = {};              ///< per process: its location
-    std::vector<bool> clocks = {};                 ///< per process: its clocks
+    std::vector<bool> variables = {};              ///< per variable: true if its value is known
+    std::vector<bool> locations = {};              ///< per process: true if its location is known
+    std::vector<bool> clocks = {};                 ///< per process: true if its clocks are known
     std::set<Id<Network::Process>> reacting = {};  ///< omitted processes whose urgent edges also stop time
     bool subsystem = false;                        ///< no other process moves, and no unknown value is read
 };
@@ -37,7 +38,7 @@ struct FragmentLimits {
 };
 
 struct FragmentStates {
-    std::vector<std::vector<std::int64_t>> states = {};  ///< in the form of certificate::state_values
+    std::vector<std::vector<std::int64_t>> states = {};  ///< each in the form of certificate::state_values
     std::set<std::string> errors = {};                   ///< the model errors that are possible in the fragment
 };
 

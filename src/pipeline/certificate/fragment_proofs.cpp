@@ -13,7 +13,7 @@ namespace grafverif {
 
 namespace {
 
-constexpr int most_extensions = 4;  // number of times that fragments are added for one property
+constexpr int most_extensions = 4;  // maximum number of times that fragments are added for one property
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();

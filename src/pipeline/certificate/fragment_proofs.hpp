@@ -27,7 +27,8 @@ public:
     /// Proves a verdict on single states that a search of fragments, of subsystems, or of an input abstraction has
     /// decided without a run. Returns false if no fragment is found.
     bool prove(const Verdict& reported, const Property& property);
-    /// Adds fragments until each model error is excluded by some fragment. Returns false if this is not possible.
+    /// Adds fragments until each model error is excluded by some fragment. Returns false if some model error cannot be
+    /// excluded.
     bool exclude_errors();
     const std::vector<Proof>& proofs() const { return proofs_; }
 

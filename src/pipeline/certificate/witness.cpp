@@ -132,7 +132,7 @@ void add_witness(const std::string& property, const Circuit& circuit, pdr::Liter
 void add_run(const std::string& property, const Circuit& circuit, pdr::Literal bad,
              const std::vector<std::vector<bool>>& inputs, Certificate& certificate) {
     Circuit whole = circuit;
-    // A line of the witness without inputs would be empty, so the number of its states would be unclear.
+    // Without inputs, each line of the witness would be empty, so the number of states would be unclear.
     if (whole.inputs.empty()) whole.inputs.push_back({node_of(whole.gates.source()), "none"});
     aiger::AigerText model = aiger::written(whole, {{property, bad, {}}}, aiger::Form::Ascii, aiger::Extent::Whole);
     std::string run = "1\nb0\n" + std::string(model.latches.size(), '0') + '\n';
@@ -172,7 +172,7 @@ void certify_again(const SystemToCheck& check, const Report& report, const Check
         if (summary.contains(verdict.property)) continue;
         summary.omitted.push_back({verdict.property, verdict.outcome == Outcome::Unknown
                                                          ? "the verdict is unknown"
-                                                         : "neither an invariant nor a run to a state shows it"});
+                                                         : "neither an invariant nor a run proves the verdict"});
     }
 }
 

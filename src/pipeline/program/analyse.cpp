@@ -305,7 +305,7 @@ private:
         const bool block = unit.kind == Kind::FunctionBlock;
         const bool unused = (block || unit.kind == Kind::Program) && !has_instances;
         if (unit.body.empty() && !unused) return;
-        if (unit.owner.valid() && !is_called(unit.owner)) return;  // the owner is reported
+        if (unit.owner.valid() && !is_called(unit.owner)) return;  // a finding about the owner is reported instead
         unit_ = unit.owner.valid() ? unit.owner : id;
         std::vector<Id<Expr>> reached;
         for (const Id<Program::Statement> statement : unit.body) reached.push_back(reached_[statement.index]);
@@ -469,13 +469,12 @@ private:
     const Program& program_;
     Scan scan_;
     std::vector<Id<Expr>> reached_;                        ///< for each statement: condition that the scan executes it
-    std::vector<Id<Expr>> true_, false_;                   ///< for each condition: it is evaluated to true, or to false
-    std::map<std::uint32_t, Id<Expr>> becomes_true_ = {};  ///< for each watched cell: true is assigned to it
-    std::vector<Id<Expr>> cleared_;  ///< for each generated assignment: condition that it assigns true
-    std::map<std::pair<std::uint32_t, std::uint32_t>, Id<Expr>> called_ = {};  ///< for each block and frame
-    /// The assignments to each output and the reads of this output, in the order of the scan.
-    std::map<std::uint32_t, std::vector<const Scan::Execution*>> accesses_ = {};
-    std::set<Position> not_only_outputs_ = {};                             ///< statements that assign not only outputs
+    std::vector<Id<Expr>> true_, false_;                   ///< for each condition: event that it is true, is false
+    std::map<std::uint32_t, Id<Expr>> becomes_true_ = {};  ///< for each watched cell: true is assigned to the cell
+    std::vector<Id<Expr>> cleared_;  ///< for each generated assignment: condition that true is assigned
+    std::map<std::pair<std::uint32_t, std::uint32_t>, Id<Expr>> called_ = {};     ///< condition of a call, per frame
+    std::map<std::uint32_t, std::vector<const Scan::Execution*>> accesses_ = {};  ///< per output: assignments, reads
+    std::set<Position> not_only_outputs_ = {};                             ///< statements that also assign other cells
     std::vector<std::pair<Id<Expr>*, std::vector<Id<Expr>>>> terms_ = {};  ///< disjunctions that define events
     std::unordered_map<const Id<Expr>*, std::size_t> index_of_terms_ = {};
     Id<Expr> fault_ = {};  ///< condition: a run-time fault occurs

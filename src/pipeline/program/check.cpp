@@ -202,7 +202,7 @@ ProofExplanation why_it_holds(const Program& program, const std::vector<ProgramP
         element.open = variant.properties;
         Program changed = program;
         drop_element(changed, elements[k]);
-        Diagnostics diagnostics;  // for example, a loop without the element has no constant bound
+        Diagnostics diagnostics;  // ignored: for example, a loop without the element has no constant bound
         auto scan = over() ? std::nullopt : scan_of(changed, diagnostics);
         std::optional<Check> check;
         if (scan) check.emplace(changed, std::move(*scan), properties);

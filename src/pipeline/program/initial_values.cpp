@@ -102,7 +102,7 @@ private:
     bool in_function_ = false;
 
 public:
-    std::vector<bool> read, assigned;  ///< per cell of the layout
+    std::vector<bool> read, assigned;  ///< for each cell: true if it is read, is assigned
 };
 
 /// True if `variable-never-assigned` can apply to the variable: it is declared in the program text, and statements are

@@ -18,7 +18,8 @@ inline constexpr std::uint32_t most_proved_evolutions = 128;
 struct ProofOptions {
     ExecutionMode mode = ExecutionMode::StabilitySearch;
     structured_text::Form form = structured_text::Form::PlcopenXml;
-    structured_text::Dialect dialect = structured_text::Dialect::Iec;  ///< Iec or Codesys, which can be read
+    structured_text::Dialect dialect = structured_text::Dialect::Iec;  ///< Iec or Codesys, which grafverif can read
+
     /// Maximum number of evolutions per cycle. If this member is empty, the numbers 8, 16, ..., most_proved_evolutions
     /// are tried. The search ends at the first number for which the program completes every cycle that the chart
     /// completes.
@@ -31,6 +32,7 @@ struct ProofOptions {
 struct ProvedText {
     std::string text = {};
     std::uint32_t max_evolutions = 0;  ///< the maximum number of evolutions in `text`
+
     /// The chart (a) and the program (b); `text` is proved if and only if the comparison is Equal.
     Comparison comparison = {};
 };

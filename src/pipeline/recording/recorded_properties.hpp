@@ -55,7 +55,7 @@ private:
     std::int64_t least_us(const std::vector<bool>& reads) const;
 
     RecordingTolerance tolerance_;
-    std::vector<std::optional<std::int64_t>> values_;  ///< for each column; empty before its first value
+    std::vector<std::optional<std::int64_t>> values_;  ///< for each column: current value; empty before the first value
     std::vector<Checked> checked_ = {};
     std::vector<RecordedProperty> results_ = {};
 };

@@ -102,7 +102,7 @@ private:
     /// A chart that is checked against the recording.
     struct CheckedChart {
         const Chart* chart = nullptr;
-        std::vector<Variable> variable_of = {};    ///< for each column: variable, or an invalid id
+        std::vector<Variable> variable_of = {};    ///< for each column: its variable, or an invalid id
         std::vector<std::size_t> column_of = {};   ///< for each variable: column + 1, or 0
         std::vector<std::string> unrecorded = {};  ///< names of the outputs without a column
         std::vector<std::size_t> clocks = {};      ///< the clocks of the variables: indices of RecordingOptions::clocks

@@ -20,6 +20,7 @@ struct ProgramCompareOptions {
     bool settles = false;  ///< compare programs after repeated scans with constant inputs
     std::vector<std::pair<std::string, std::string>> map = {};  ///< name in the first controller, name in the second
     std::vector<std::string> ignored = {};                      ///< outputs that are not compared
+
     /// Outputs by which programs report a stop: a value other than 0 at the end of a scan. A single name applies to
     /// each program that has an output with this name; of two names, the first applies to the first controller and the
     /// second to the second controller.

@@ -139,7 +139,7 @@ void MutantChecker::check_model(const Model& mutated, const OriginalVerdicts& re
 MutantResult MutantChecker::result_of(const Mutant& mutant, const Limits& limits) const {
     MutantResult mutant_result;
     if (!reads_back(mutant.text))
-        mutant_result.failures.push_back("a mutant differs from its text: " + mutant.kind + ", " + mutant.subject);
+        mutant_result.failures.push_back("a mutant has non-canonical text: " + mutant.kind + ", " + mutant.subject);
     Diagnostics diagnostics;
     const std::optional<Model> mutated = model_of(mutant, diagnostics);
     const auto chart = mutated ? find_chart(*mutated, model_.charts[chart_].name) : std::nullopt;

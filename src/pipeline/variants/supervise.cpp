@@ -107,7 +107,7 @@ private:
         return controllers.size() > 1 ? model_.charts[controllers[id].chart].name + "." + name : name;
     }
 
-    /// Checks those properties for the timed loop without conditions that the untimed model without conditions
+    /// Checks, for the timed loop without conditions, the properties that the untimed model without conditions
     /// violates. These properties are the elements of `made_.kept` for which `violated` is true.
     void check_timed_without(const std::vector<bool>& violated) {
         std::vector<std::string> names;
@@ -293,7 +293,7 @@ private:
         const auto model = read_again(main_, texts, sources_, sources, request_.read, diagnostics);
         const auto loop = model ? find_loop(*model, made_.loop) : std::nullopt;
         auto system = loop ? transition_system_of(*model, *loop, untimed(request_), diagnostics) : std::nullopt;
-        if (!system) return fail("it cannot be read");
+        if (!system) return fail("the text cannot be read");
         if (request_.marked.empty()) {
             Property marked{.name = marked_, .pattern = Pattern::AlwaysPossible};
             marked.operands = {initial_situation(*system, *model, model->loops[*loop])};
@@ -352,7 +352,7 @@ private:
         made_.failures.insert(made_.failures.end(), report.failures.begin(), report.failures.end());
         for (const ModelErrorTrace& breakdown : report.error_traces) made_.failures.push_back(breakdown.message);
         std::vector<std::string> left = unanswered(report, names);
-        std::string why = "it is not checked";
+        std::string why = "the property was not checked";
         for (const PropertyResult& answer : report.answers) {
             const Verdict& verdict = answer.verdict;
             if (verdict.outcome == Outcome::Holds) continue;

@@ -64,11 +64,13 @@ struct Supervised {
     };
     std::vector<Timed> timed = {};
     Outcome timelock = Outcome::Unknown;  ///< result of `no timelock` with the conditions
+
     /// The only file to which conditions are added. Empty if no file or several files need conditions.
     std::optional<Id<Source>> file = {};
     std::string text = {};             ///< text of `file` with the conditions
     std::optional<ChartRun> run = {};  ///< if conditions cannot enforce the properties: a violating run
     bool blocked = false;              ///< true if the run ends in a state without a path to a marked state
+
     /// Internal failures; if the list is not empty, all other results are invalid.
     std::vector<std::string> failures = {};
 };

@@ -116,7 +116,7 @@ ObservableVariables sight_of(System& system, const System::Controller& controlle
 Id<Expr> initial_situation(TransitionSystem& system, const Model& model, const ClosedLoop& loop) {
     std::vector<Id<Expr>> terms;
     for (std::size_t index = 0; index < system.controllers.size(); ++index) {
-        Diagnostics none;  // ignored: the same equations were valid before
+        Diagnostics none;  // remains empty: these equations have been checked before
         const auto equations =
             equations_of(model, loop.controllers[{static_cast<std::uint32_t>(index)}].chart, none).value();
         for (std::size_t step = 0; step < equations.steps.size(); ++step) {

@@ -38,8 +38,8 @@ constexpr std::size_t most_failures = 32;
 /// Data that determine how the verdicts of a row can be transferred to other points.
 struct RowKind {
     std::string base = {};   ///< name of the property in the model: `S` for the row `S.X7`
-    bool watched = false;    ///< the property has an observer
-    bool pointwise = false;  ///< verdicts can be transferred only between equal networks
+    bool watched = false;    ///< true if the property has an observer
+    bool pointwise = false;  ///< true if verdicts can be transferred only between equal networks
 };
 
 struct OpenBox {
@@ -309,7 +309,7 @@ private:
                 const std::size_t before = decided_;
                 const bool last = checked && is_point(boxes[k].box);
                 if (checked) apply(*job++);
-                if (last || !shrink(boxes[k].box)) continue;  // a stopped check leaves its point unknown
+                if (last || !shrink(boxes[k].box)) continue;  // after a stopped check, the verdict remains unknown
                 if (decided_ > before || is_point(boxes[k].box)) next.push_back({boxes[k].box});
                 else split(boxes[k], checked, next);
             }

@@ -29,15 +29,15 @@ struct TuneRequest {
     ModelOptions how = {};
     ReadOptions read = {};  ///< options with which the model was read
     Limits limits = {};
-    unsigned jobs = 0;         ///< threads; 0 selects one per core; the result does not depend on it
+    unsigned jobs = 0;         ///< number of threads (0: one per core); does not affect the result
     std::size_t runs = 0;      ///< for each property: maximum number of points with a run in the result
     bool every_point = false;  ///< true: check each point; derive no verdict from other checks
 };
 
 /// Decides the properties of `loop`. `main` is the source from which `model` was read; `sources` also contains its
 /// includes. The result is empty after an error: a property does not exist, or the model is rejected for some values.
-/// If a limit is reached, the result contains all verdicts found so far; all other verdicts are unknown, and the number
-/// of their reason is 0.
+/// If a limit is reached, the result contains all verdicts found so far; all other verdicts are unknown, with the
+/// reason `reasons[0]`.
 std::optional<Tuning> tuned(const Model& model, Id<ClosedLoop> loop, Id<Source> main, const Sources& sources,
                             const TuneRequest& request, Diagnostics& diagnostics);
 

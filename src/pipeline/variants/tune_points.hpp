@@ -39,8 +39,8 @@ public:
     /// Returns the charts of the controllers at a point. Only charts that are instances depend on the constants.
     std::vector<const Chart*> charts(std::size_t point) const;
 
-    /// Returns the constant along which a box is split: the constant with the most values. A constant has priority if
-    /// it affects more than the constants of clock constraints.
+    /// Returns the constant along which a box is split: the constant with the most values. Constants that affect a
+    /// network in other ways than through its clock constraints have priority.
     std::size_t axis_of(const GridBox& box) const;
 
     /// Returns a number that is equal for two points if their networks have the same processes, except for the

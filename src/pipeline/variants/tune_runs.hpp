@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Collects the runs that violate properties at points of a grid. The player of a report replays them.
+// Collects the runs that violate properties at points of a grid, for the player of a report.
 #pragma once
 
 #include <cstddef>
@@ -42,7 +42,7 @@ private:
         Verdict verdict = {};
         std::string name = {};
         bool watched = false, exact = false;
-        std::optional<PropertyResult> result = {};  ///< if present, the other members are not used
+        std::optional<PropertyResult> result = {};  ///< if present, the other members of Known are not used
     };
     /// Returns the object in which the run of a point must be stored; null if the point already has a run, or if
     /// `most_` nearer points of the row have runs.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Checks properties of variants of a closed loop. The results for the original loop determine the steps and the bounds
-// of these checks.
+// of the checks of its variants.
 //
 // If the check of the original loop needs few states, each variant is checked in the same way. Otherwise, the variants
 // are searched in passes with increasing bounds, so that variants that need only a small search are decided first. The

@@ -36,7 +36,7 @@ struct AgrafeEntity {
     Kind kind = Kind::Main;
     pugi::xml_node node = {};
     std::size_t partial = 0;  ///< index of the enclosing partial chart; for a partial chart, its own index
-    std::string name = {};    ///< name in the input language; set by the reader
+    std::string name = {};    ///< name of the element in the input language; set by the reader
     std::vector<std::size_t> in = {}, out = {};  ///< predecessors and successors through arcs
 };
 
@@ -68,7 +68,7 @@ struct AgrafeReader {
     AgrafeIndex index;
     Draft& draft;
     std::string chart = {};
-    std::unordered_map<std::string, std::size_t> namesakes = {};  ///< for each name: steps in all partial charts
+    std::unordered_map<std::string, std::size_t> namesakes = {};  ///< for each name: number of steps with this name
     std::vector<OpenInteger> integers = {};
     std::unordered_set<Id<tree::Word>> without_kind = {};  ///< variables without a declared type
 
@@ -81,7 +81,8 @@ struct AgrafeReader {
     /// Returns the indices of all elements in a list of references.
     std::vector<std::size_t> references(pugi::xml_node node, std::string_view attribute, std::string_view what,
                                         bool (*accepts)(AgrafeEntity::Kind));
-    /// Returns the integer value of an attribute, or `otherwise` if it is missing or invalid. Reports an invalid value.
+    /// Returns the integer value of an attribute, or `otherwise` if the value is missing or invalid. Reports an invalid
+    /// value.
     std::int64_t number(pugi::xml_node node, std::string_view attribute, std::int64_t otherwise);
     bool flag(pugi::xml_node node, std::string_view attribute) { return xml.flag(node, attribute, diagnostics()); }
 };

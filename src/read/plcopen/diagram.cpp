@@ -68,7 +68,7 @@ public:
 
 private:
     enum class Mark : std::uint8_t { New, Open, Done };
-    using Top = std::tuple<double, double, std::size_t>;  // y, x of the uppermost element, and first index in a network
+    using Top = std::tuple<double, double, std::size_t>;  // y, x of a network's uppermost element; least element index
 
     // -- order --------------------------------------------------------------------------------------------------------
 

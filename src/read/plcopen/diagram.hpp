@@ -10,7 +10,7 @@
 // output of a later call, it reads the value from the previous scan.
 //
 // If a network assigns a variable and reads it in a later statement, the order of evaluation of the network is
-// undefined. Such a network is rejected, unless its elements have `executionOrderId`s.
+// undefined. The network is then rejected, unless its elements have `executionOrderId`s.
 #pragma once
 
 #include <string>

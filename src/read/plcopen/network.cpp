@@ -186,7 +186,7 @@ st::ChartFlags flags_of(PlcopenReader& reader, pugi::xml_node chart) {
     return flags;
 }
 
-/// Returns the elements with the given name, from left to right. This is the default order of priority.
+/// Returns the elements with the given name, from left to right, which is the default order of priority.
 std::vector<pugi::xml_node> from_left(const PlcopenNetwork& network, std::string_view name) {
     std::vector<pugi::xml_node> found;
     for (const pugi::xml_node& element : network.elements)

@@ -142,8 +142,8 @@ void read_actions(PlcopenReader& reader, pugi::xml_node pou, st::Unit& unit) {
     }
 }
 
-/// Returns the `documentation` of a POU, and the comments and XML comments of its drawing. The importer writes these
-/// texts before the chart.
+/// Returns the `documentation` of a POU, and the comments and XML comments of its drawing. The importer writes the
+/// documentation and the comments before the chart.
 std::string remarks(PlcopenReader& reader, pugi::xml_node pou) {
     std::string text;
     if (const pugi::xml_node documentation = child(pou, "documentation"))
@@ -179,7 +179,7 @@ st::File read_plcopen(const Xml& xml, const Sources& sources, Draft& draft) {
     PlcopenReader reader{xml, sources, draft};
     reader.file.source = xml.source();
     std::vector<pugi::xml_node> pous;
-    pugi::xml_node program;  // a program in Structured Text; an error if the file has no chart
+    pugi::xml_node program;  // first POU in Structured Text, for the error message of a file without charts
     for (const pugi::xml_node& node : all_of(xml.root(), {"globalVars", "pou"})) {
         if (is(node, "globalVars")) read_variables(reader, node, reader.file.globals);
         else if (child(child(node, "body"), "SFC")) pous.push_back(node);
@@ -295,8 +295,8 @@ void read_tasks(PlcopenReader& reader, pugi::xml_node resource) {
     for (const pugi::xml_node& each : children(resource, "pouInstance")) instance(each, {});
 }
 
-/// True if CODESYS, or a tool based on CODESYS, wrote the file. These tools add `data` elements whose names begin with
-/// the address of the vendor.
+/// True if CODESYS, or a tool based on CODESYS, wrote the file: the file then contains `data` elements whose names
+/// begin with the web address of the vendor.
 bool is_codesys(pugi::xml_node root) {
     for (const pugi::xml_node& data : all_of(root, {"data"}))
         if (value(data, "name").starts_with("http://www.3s-software.com/plcopenxml/")) return true;

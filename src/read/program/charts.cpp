@@ -107,7 +107,7 @@ public:
                 action.steps, [](const auto& one) { return one.first != "N" && one.first != "R" && one.first != "S"; });
             if (action.controlled) control(action);
         }
-        std::ranges::stable_sort(chart_.actions, {}, &ChartAction::label);  // the order of execution is alphabetical
+        std::ranges::stable_sort(chart_.actions, {}, &ChartAction::label);  // actions run in alphabetical order
         if (diagnostics_.errors() == errors) check_safety(network);
         chart_.valid = diagnostics_.errors() == errors;
         return std::move(chart_);

@@ -40,13 +40,13 @@ struct Chart {
     bool valid = false;                       ///< true if no error was reported
     std::vector<std::size_t> order = {};      ///< indices of transitions by priority, then position
     std::vector<ChartAction> actions = {};    ///< in the order of their first action blocks
-    std::uint32_t started = 0;                ///< cell: true if the body was executed in an earlier scan
+    std::uint32_t started = 0;                ///< cell that is true after the first execution of the body
     std::vector<std::uint32_t> cleared = {};  ///< for each transition: cell that is true if it is cleared
     /// For each transition and each action: true if the structure of the chart does not exclude a fault (an activation
     /// of an active step, or two simultaneous durations). The statements then check for the fault in each scan.
     std::vector<bool> checked = {}, checked_actions = {};
     std::vector<std::uint32_t> steps = {};      ///< in CODESYS: for each step, its first cell
-    std::vector<std::uint32_t> before = {};     ///< in CODESYS: for each step, cell: active in the last execution
+    std::vector<std::uint32_t> before = {};     ///< in CODESYS: for each step, cell for its previous activity
     std::vector<std::uint32_t> variables = {};  ///< in CODESYS: for each step, index in the variables of the unit
 };
 

@@ -165,14 +165,14 @@ void Reader::declare(std::size_t index) {
     if (!from.networks.empty() && file_->dialect == st::Dialect::Standard) declare_chart(index);
     else declare_actions(index);
     Unit& unit = program.units[id];
-    if (unit.size == 0) {  // each instance needs a cell: the limit of cells then limits instances
+    if (unit.size == 0) {  // one cell per instance, so that the limit of cells limits the instances
         unit.size = 1;
         unit.variables.push_back({"_", Variable::Section::Local, bool_, 0, 0, false, false, false, 0, from.name.where});
     }
     for (const Variable& variable : unit.variables) {
         if (variable.section == Variable::Section::Input) unit.inputs.push_back(variable.offset);
         const bool standard = from.where.source != file_->source;
-        const std::string name = st::capitals(variable.name);  // the spelling may differ from the declaration
+        const std::string name = st::capitals(variable.name);  // names are not case-sensitive
         if (standard && name == "RUNNING") unit.running = variable.offset;
         if (standard && name == "ELAPSED") unit.elapsed = variable.offset;
     }

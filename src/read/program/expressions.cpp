@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reads expressions and determines their types. An integer literal gets the type of the other operands. If integer
-// operands have different types, they are converted to the type whose range contains the other range.
+// operands have different types, they are converted to the type whose range contains the ranges of the other types.
 #include <algorithm>
 #include <string>
 
@@ -212,8 +212,8 @@ Reader::MaybeTyped Reader::value_at(const Found& found, Span where) {
     return Typed{type.element.valid() ? add(Op::Convert, type.element, {node}, where) : node, false};
 }
 
-/// Converts an integer operand of a bitwise operator to a bit string of the same width. CODESYS permits these operands;
-/// in other dialects, they are an error.
+/// Converts an integer operand of a bitwise operator to a bit string of the same width. CODESYS permits integer
+/// operands of bitwise operators; in other dialects, they are an error.
 Reader::MaybeTyped Reader::as_bits(const Typed& value, Span where) {
     if (file_->dialect != st::Dialect::Codesys)
         return reject(where, "a bitwise operator with integer operands", "convert the operands to bit strings"),
@@ -291,7 +291,7 @@ Reader::MaybeTyped Reader::arithmetic(Id<st::Expr> id) {
         return {};
     }
     const bool literal = std::ranges::all_of(operands, &Typed::literal);
-    if (literal) {  // a term of literals is computed exactly
+    if (literal) {  // the value of a term of literals is computed exactly
         const std::int64_t a = *value_of(operands[0].node);
         const std::int64_t b = operands.size() > 1 ? *value_of(operands[1].node) : 0;
         std::int64_t value = 0;

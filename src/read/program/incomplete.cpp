@@ -28,8 +28,8 @@ std::string_view end_of_unit(st::Parser::symbol_kind_type keyword) {
     }
 }
 
-/// The extent of a unit in an incomplete text: from its keyword to the end of its declarations, and to the beginning of
-/// the next unit.
+/// The header of a unit in an incomplete text. `declarations` extends from the keyword of the unit to its last
+/// declaration, and `whole` to the beginning of the next unit.
 struct Header {
     st::Name name = {};
     Span declarations = {}, whole = {};

@@ -7,7 +7,7 @@
 
 namespace grafverif::program {
 
-/// Adds to `file` each unit of the text at `whole` that the parser has skipped after a syntax error. Such a unit has
+/// Adds to `file` each unit of the text at `whole` that the parser has skipped after a syntax error. An added unit has
 /// variables, but no body. Adds a source with the missing end keywords of units to `sources`.
 void add_incomplete_units(Span whole, st::File& file, Sources& sources);
 

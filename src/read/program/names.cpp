@@ -23,7 +23,7 @@ Reader::Found Reader::found_in(Id<Unit> unit, std::uint32_t index) {
     return made;
 }
 
-/// Returns the place through which other units access the memory cell at `offset` of the program instance.
+/// Returns the Place with which other units access the memory cell at `offset` of the program instance.
 Program::Place Reader::main_place(std::uint32_t offset) const {
     return {true, program.units[program.globals].size + offset, {}};
 }

@@ -96,7 +96,7 @@ std::optional<ProgramText> read_program(Id<Source> source, Sources& sources, Dia
         file.source = source;
         st::parse_programs({{whole, false}}, file, sources, diagnostics);
         if (diagnostics.errors() != errors && record.is_recording()) {
-            Diagnostics ignored;  // the diagnostics of an incomplete text have no meaning
+            Diagnostics ignored;  // diagnostics of an incomplete text would be misleading
             program::add_incomplete_units(whole, file, sources);
             resolved(file, sources, ignored, record);
         }

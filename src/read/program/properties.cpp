@@ -124,7 +124,7 @@ private:
                              (key == "expression" && kind != Kind::MutualExclusion && kind != Kind::Absence &&
                               kind != Kind::Termination);
         if (!belongs)
-            reject(where(value), "the key `" + key + "` does not belong to this kind of property", "remove it");
+            reject(where(value), "the key `" + key + "` is not allowed for this kind of property", "remove it");
     }
 
     void conditions(ProgramProperty& made, std::map<std::string, YAML::Node>& entries) {
@@ -175,7 +175,8 @@ private:
     }
 
     /// Reads a condition. If the property file contains the text of the expression literally, the positions in the
-    /// condition refer to the property file. Otherwise, they refer to a new source with the text of the expression.
+    /// condition refer to the property file. Otherwise, the positions refer to a new source with the text of the
+    /// expression.
     std::optional<Id<Program::Node>> condition(const YAML::Node& from) {
         const std::string expression = from.Scalar();
         Span place = where(from);

@@ -97,7 +97,7 @@ void Reader::refer(const st::Expr& use, Span declaration, bool writes) const {
     record_.refer(use.name.source.valid() ? use.name : use.where, declaration, writes);
 }
 
-/// Records a reference: a statement assigns the variable at the end of `path`.
+/// Records the reference of a statement that assigns the variable at the end of `path`.
 void Reader::refer_target(Id<st::Expr> path, Span declaration) const {
     while (file_->exprs[path].op == st::Op::Index) path = file_->exprs[path].first;
     refer(file_->exprs[path], declaration, true);

@@ -236,14 +236,14 @@ private:
     std::unordered_map<std::uint32_t, Id<Type>> types_ = {};                 ///< types by name
     std::unordered_map<std::uint32_t, std::size_t> type_declarations_ = {};  ///< for each name: first declaration
     std::size_t type_depth_ = 0;           ///< number of types whose declarations are being read
-    std::vector<State> type_states_ = {};  ///< for each type declaration of the file
+    std::vector<State> type_states_ = {};  ///< for each type declaration of the file: its state
     struct EnumerationValue {
         Id<Type> type = {};
         std::int64_t value = 0;
         Span origin = {};
     };
     std::map<std::uint32_t, EnumerationValue> values_ = {};  ///< values of enumerations, by name
-    std::vector<Scope> scopes_ = {};                         ///< for each unit of the program
+    std::vector<Scope> scopes_ = {};                         ///< for each unit of the program: its scope
     std::vector<std::vector<std::uint32_t>> calls_ = {};     ///< for each unit: the units that it calls
     Id<Unit> unit_ = {};                                     ///< the current unit
     Id<Unit> body_ = {};       ///< the unit whose body is being read: the current unit, or one of its actions
@@ -252,7 +252,7 @@ private:
     /// While transitions of a CODESYS chart are read: the steps of the chart and their indices in the variables of the
     /// unit.
     const std::vector<std::pair<Id<st::Word>, std::uint32_t>>* transitions_ = nullptr;
-    std::vector<UnitCharts> charts_;                  ///< for each unit of the file
+    std::vector<UnitCharts> charts_;                  ///< for each unit of the file: its charts
     std::array<Id<Type>, 2> step_types_ = {};         ///< type of steps, type of initial steps
     std::array<Id<Type>, 2> codesys_steps_ = {};      ///< type of steps and type of initial steps in charts of CODESYS
     std::set<std::string, std::less<>> warned_ = {};  ///< warnings that have been reported, to avoid repetition

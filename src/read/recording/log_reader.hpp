@@ -29,7 +29,7 @@ namespace grafverif {
 /// A function that replaces `block` by the next part of a log; it returns false at the end of the log.
 using LogBlocks = std::function<bool(std::string& block)>;
 
-/// Latest time of a sample in microseconds: 285 years.
+/// Latest time of a sample, in microseconds (about 285 years).
 inline constexpr std::int64_t latest_log_us = 9'000'000'000'000'000;
 
 /// Reads the lines of a log, and creates positions for diagnostics. To save memory, the source of these positions
@@ -69,7 +69,7 @@ struct LogColumn {
 
 struct LogValue {
     std::size_t column = 0;
-    std::int64_t value = 0;  ///< 0 and 1 for Booleans
+    std::int64_t value = 0;  ///< the values of a Boolean are 0 and 1
     std::uint64_t line = 0;
 };
 
@@ -140,7 +140,7 @@ private:
         std::int64_t low = std::numeric_limits<std::int64_t>::min(), high = std::numeric_limits<std::int64_t>::max();
     };
     Use& use_of(std::size_t column) { return uses_.resize(columns_.size()), uses_[column]; }
-    std::vector<Use> uses_ = {};  ///< for each column; may be shorter
+    std::vector<Use> uses_ = {};  ///< for each column: its use; may have fewer elements than columns_
     bool failed_ = false, stop_at_error_ = false;
     std::optional<std::int64_t> last_time_ = {};
     char separator_ = ',';                                          ///< for CSV
@@ -156,7 +156,7 @@ private:
     std::vector<std::string> scopes_ = {};
     std::string_view rest_ = {};     ///< unread remainder of the current line
     std::string words_ = {};         ///< contents of the last declaration
-    std::int64_t ticks_per_us_ = 1;  ///< for VCD; 1 if a tick is at least 1 us
+    std::int64_t ticks_per_us_ = 1;  ///< for VCD: ticks per microsecond; 1 if a tick is at least 1 us
     std::int64_t us_per_tick_ = 1;
     std::optional<std::int64_t> vcd_time_ = {};  ///< time of the next row
     std::uint64_t vcd_line_ = 0;

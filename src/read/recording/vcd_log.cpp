@@ -45,7 +45,7 @@ std::string_view LogReader::word() {
     }
 }
 
-/// Reads up to the keyword `$end`. Returns all words before it, each followed by a blank.
+/// Reads up to the keyword `$end`. Returns all words before `$end`, each followed by a blank.
 std::string_view LogReader::words_to_end() {
     words_.clear();
     for (std::string_view next = word(); !next.empty() && next != "$end"; next = word())
@@ -100,7 +100,7 @@ bool LogReader::read_time_scale(std::string_view words) {
     return true;
 }
 
-/// Declares a variable. `words` is its declaration, such as `wire 1 ! START` or `integer 32 # N`.
+/// Declares a variable. `words` is the declaration of the variable, such as `wire 1 ! START` or `integer 32 # N`.
 void LogReader::declare(std::string_view words) {
     const std::string_view type = first_word(words), size = first_word(words);
     const std::string_view code = first_word(words), name = first_word(words);

@@ -9,8 +9,8 @@
 //   statements   stored actions for the assignments that bodies.cpp computes
 //
 // A latch is an internal variable that stores a Boolean value. The action blocks of all steps with the same output and
-// the same type of qualifier use one latch. R ends the effects of all other action blocks on its output. Therefore, R
-// is converted after the list of all action blocks is complete.
+// the same type of qualifier use one latch. R ends the effects of all other action blocks on the same output.
+// Therefore, R is converted after the list of all action blocks is complete.
 #include <algorithm>
 #include <iterator>
 
@@ -92,7 +92,7 @@ private:
         return writer != writers_.end() && writer->second != where.begin;
     }
 
-    std::unordered_map<std::string, std::uint32_t> writers_ = {};  ///< for each variable: first assignment
+    std::unordered_map<std::string, std::uint32_t> writers_ = {};  ///< first assignment to each variable (position)
     std::unordered_set<std::string> reported_ = {};
 };
 
@@ -349,7 +349,7 @@ private:
     Sfc& sfc_;
     Draft& draft_;
     Order order_ = {};
-    std::unordered_map<std::string, std::string> latch_of_ = {};  ///< latch by output plus suffix
+    std::unordered_map<std::string, std::string> latch_of_ = {};  ///< name of each latch, by output and suffix
     std::vector<std::string> latches_ = {};                       ///< latches in the order of creation
 };
 

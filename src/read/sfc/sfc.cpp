@@ -33,7 +33,7 @@ void name_steps(Sfc& sfc) {
                 continue;
             }
             known->second = labels.make(sfc.file.text(step.name), step.name.where);
-            sfc.names.reserve('X' + known->second);  // name of its step variable
+            sfc.names.reserve('X' + known->second);  // name of the step variable
         }
     }
 }

@@ -46,7 +46,7 @@ struct SfcTerm {
 };
 
 struct SfcVariable {
-    std::string name = {};  ///< name in the input language
+    std::string name = {};  ///< name of the variable in the input language
     Span where = {};
     SfcKind kind = SfcKind::Boolean;  ///< Bad if charts do not support the type
     tree::VariableKind role = tree::VariableKind::Input;
@@ -63,7 +63,7 @@ struct SfcVariable {
 struct SfcEffect {
     Id<tree::Expr> set = {}, keep = {}, value = {};
 };
-using SfcEffects = std::map<std::string, SfcEffect>;  ///< effects by name in the input language
+using SfcEffects = std::map<std::string, SfcEffect>;  ///< effect for each variable, by its name in the input language
 
 struct Sfc {
     const st::File& file;
@@ -93,7 +93,7 @@ std::vector<tree::ChartItem> declarations_of(Sfc& sfc);
 struct SfcScope {
     std::span<const st::Name> left = {};     ///< upstream steps of the transition, whose times `S.T` can be read
     const SfcEffects* assigned = nullptr;    ///< values assigned earlier in the body
-    std::set<std::string>* reads = nullptr;  ///< receives the variables that are read
+    std::set<std::string>* reads = nullptr;  ///< receives the names of the variables that the expression reads
 };
 /// Translates an expression; the type is Bad after an error. `expected` is the assumed type of undeclared variables.
 SfcTerm term_of(Sfc& sfc, const SfcScope& scope, Id<st::Expr> expr, SfcKind expected);

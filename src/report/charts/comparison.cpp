@@ -25,8 +25,8 @@ std::string value_text(const Comparison::Variable& variable, std::int64_t value)
     return named ? variable.values[static_cast<std::size_t>(value)] : std::to_string(value);
 }
 
-/// Returns the variables with nonzero values and all enumerations, such as `START, N = 3, Mode = Off`. If there are no
-/// such variables, returns `none`.
+/// Returns the variables with nonzero values and all enumerations, such as `START, N = 3, Mode = Off`. If every
+/// variable has the value 0 and is not an enumeration, returns `none`.
 std::string standing(const std::vector<Comparison::Variable>& variables, const std::vector<std::int64_t>& values) {
     std::string text;
     for (std::size_t k = 0; k < variables.size(); ++k) {

@@ -15,8 +15,8 @@ namespace {
 
 using ResultKind = MutantResult::Kind;
 
-/// A mutant with at most this number of undecided properties lists them by name; otherwise, only their number is
-/// printed.
+/// If a mutant has at most this number of undecided properties, their names are printed; otherwise, only their number
+/// is printed.
 constexpr std::size_t most_listed = 3;
 
 /// A mutation score. `noticed`: number of detected mutants. `decided`: number of mutants that the score includes;

@@ -42,7 +42,7 @@ bool is_printed_completely(const RecordingVerdict& verdict) {
     return verdict.run_is_complete && verdict.run.moments.size() <= printed_instants;
 }
 
-/// Returns the part of the run that text and JSON contain, also if an HTML report contains more of it.
+/// Returns the part of the run that text and JSON contain, even if an HTML report contains a longer part.
 ChartRun printed_run(ChartRun run) {
     if (run.moments.size() <= printed_instants) return run;
     const std::size_t omitted = run.moments.size() - printed_instants;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // ProgramRun: executes a Program directly on its memory cells, one scan at a time. This implementation of the semantics
-// does not depend on the equations. Before a run of a program is displayed, ProgramRun replays it.
+// of programs does not use the equations (derive/program). Before a run of a program is displayed, ProgramRun replays
+// it.
 #pragma once
 
 #include <cstdint>

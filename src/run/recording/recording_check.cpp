@@ -335,8 +335,9 @@ void RecordingCheck::end(const Hypothesis& hypothesis) {
     const auto latest = [&](const Change& change) {
         return change.time + hypothesis.zone.upper(change.clock) + jitter;
     };
-    // Earliest deadline of a delay or an input change. If it precedes the deadline of the output, the output does not
-    // end the hypothesis: another hypothesis observes the delay or input change together with an earlier event.
+    // Earliest deadline of a delay or an input change. If this deadline precedes the deadline of the output, the output
+    // does not end the hypothesis: another hypothesis observes the delay or input change together with an earlier
+    // event.
     Ticks other = Zone::unbounded;
     for (std::size_t k = 0; k < elements_.size(); ++k) {
         const auto deadline = [&](std::size_t start, std::int64_t milliseconds) {
@@ -397,8 +398,8 @@ void RecordingCheck::relax(Hypothesis& hypothesis) const {
         next = std::min(next, recorded + hypothesis.zone.lower(clock));
     }
     next -= settings_.jitter;
-    // The next instant observes a change of an input, so that it is not before `next`, or it observes that a delay has
-    // elapsed after the last instant.
+    // If the next instant observes a change of an input, it is not before `next`; otherwise, it observes that a delay
+    // has elapsed after the last instant.
     if (hypothesis.zone.upper(last) < next) hypothesis.zone.assign(last, begin_ - settings_.jitter - 1);
 }
 

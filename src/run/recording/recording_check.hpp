@@ -20,11 +20,11 @@
 // of an input, or that a delay has elapsed. The recording deviates from the chart if no admissible timing exists for
 // any continuation after the last sample.
 //
-// The recorded times of some variables can be times of other clocks. Each of these clocks has a constant offset, which
-// is unknown but bounded. A change that is recorded at time t of such a clock occurred at time t - offset, which is
-// after the first sample. The first sample contains the values of all variables at its time. Instants and delays are
-// measured by the clock of the controller. A timing is admissible if it satisfies the conditions for some offsets
-// within the bounds.
+// The recorded times of some variables can be times of other clocks. Each other clock has a constant offset, which is
+// unknown but bounded. A change that is recorded at time t of another clock occurred at time t - offset, which is after
+// the first sample. The first sample contains the values of all variables at its time. Instants and delays are measured
+// by the clock of the controller. A timing is admissible if it satisfies the conditions for some offsets within the
+// bounds.
 //
 // Method: a hypothesis is a state of the chart, with a zone (bounds of differences) over the instants that matter for
 // its future. All hypotheses together represent all admissible timings up to the current time. Each hypothesis is
@@ -32,8 +32,8 @@
 // the negated offset of each clock. Thus the conditions for recorded times remain bounds of differences, and the check
 // has the same precision for unknown offsets. To limit the number of hypotheses, hypotheses that differ only in their
 // zones are joined if the union of the zones is a zone. If possible, a change of an output is assigned to the next
-// recorded change of this output. This rule excludes no admissible timing, because a later change of the output can be
-// assigned to the same recorded change.
+// recorded change of this output. The choice of the next recorded change excludes no admissible timing, because a later
+// change of the output can be assigned to the same recorded change.
 #pragma once
 
 #include <cstddef>
@@ -120,7 +120,7 @@ private:
         std::shared_ptr<Instant> previous = {};
         std::shared_ptr<const Reaction> reaction = {};
         std::vector<std::int64_t> inputs = {};
-        Ticks time = 0;  ///< a typical time of the instant
+        Ticks time = 0;  ///< time of the instant if the controller reacts immediately
         std::uint64_t number = 0;
     };
     struct Hypothesis {
@@ -136,7 +136,7 @@ private:
         /// For each output signal: zone variable of the first instant whose change of the output is not yet assigned to
         /// a recorded change, or 0 if there is no such instant.
         std::vector<std::size_t> hidden = {};
-        std::vector<Ticks> typical = {};  ///< for each variable of the zone: a typical time, to be printed
+        std::vector<Ticks> typical = {};  ///< for each variable of the zone: time to print (see Instant::time)
         std::shared_ptr<Instant> history = {};
     };
     /// The end of the timing that agrees with the longest part of the recording.

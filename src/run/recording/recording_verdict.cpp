@@ -60,8 +60,8 @@ Deviation RecordingCheck::deviation() const {
     return result;
 }
 
-/// For each clock: the range of its offset in the timings that are admissible so far. Without such a timing: in the
-/// timing that explains most of the recording, or nothing if a limit or a model error ended the check.
+/// For each clock: the range of its offset in the timings that are admissible so far. If no timing is admissible: the
+/// range in the timing that explains most of the recording, or nothing if a limit or a model error ended the check.
 std::vector<ClockOffset> RecordingCheck::offsets() const {
     std::vector<Zone> zones;
     for (const Hypothesis& hypothesis : hypotheses_)

@@ -11,9 +11,9 @@
 
 namespace grafverif::schedule {
 
-/// Returns the module. Its flag `race` is set after a run-time fault. Its flag `out_of_range` is set after a scan in
-/// which `stop` was true. Once set, `race` and `out_of_range` remain set. If `out_of_range` is set, a run-time fault in
-/// a later scan does not set `race`. `stop` is a term over the values before the scan, or invalid. The symbols
+/// Returns the module. The flag `race` of the module is set after a run-time fault, and the flag `out_of_range` after a
+/// scan in which `stop` was true. Once set, `race` and `out_of_range` remain set. If `out_of_range` is set, a run-time
+/// fault in a later scan does not set `race`. `stop` is a term over the values before the scan, or invalid. The symbols
 /// `settled` and `faulting` exist only if `settles` is true. `settled` is true if one more scan with the same inputs
 /// would change no variable.
 ControllerModule scan_module(const Scan& scan, Id<Expr> stop, bool settles, Exprs& exprs);

@@ -191,7 +191,8 @@ Id<Expr> Builder::duration(std::int64_t milliseconds, Span where) {
     return id;
 }
 
-/// Returns a node for the word of `name`. Its operands are `owner`, if valid, and the indices of the name.
+/// Returns a node with the word of `name`. The operands of the node are `owner`, if valid, and the
+/// indices of the name.
 Id<Expr> Builder::named_node(Op op, Id<Expr> owner, Name name, Span where) {
     const Id<Expr> id = owner.valid() ? node(op, {owner}, where) : constant(op, where);
     file_->exprs[id].word = name.word;

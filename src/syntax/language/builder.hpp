@@ -78,12 +78,13 @@ public:
 private:
     Id<tree::Expr> node(tree::Op op, std::initializer_list<Id<tree::Expr>> operands, Span where);
     Id<tree::Expr> named_node(tree::Op op, Id<tree::Expr> owner, tree::Name name, Span where);
-    /// Facts about the current declaration that the parser has found: it contains a syntax error (`broken`) or
-    /// replicated declarations.
+    /// Facts that the parser has found about the current declaration: the declaration contains a
+    /// syntax error (`broken`) or replicated declarations (`replicated`).
     struct Marks {
         bool broken = false, replicated = false;
     };
-    /// Returns the marks of the current declaration, and resets them for the next declaration.
+    /// Returns the recorded facts about the current declaration, and resets them for the next
+    /// declaration.
     Marks take_marks();
 
     tree::File* file_;

@@ -105,14 +105,15 @@ public:
             add(file.words[word].text, "name", word.index < first_places.size() ? first_places[word.index] : Span{});
     }
 
-    /// Returns a keyword, step variable or name that differs from `name` but looks the same; null if there is none. An
-    /// ASCII text is preferred; otherwise the result is the first text with this property that precedes `name`.
+    /// Returns a keyword, step variable or name that differs from `name` but looks the same. An
+    /// ASCII text is preferred; without an ASCII text, the result is the first of these texts that
+    /// precedes `name`, or null.
     const Lookalike* like(std::string_view name) const {
         const auto found = by_skeleton_.find(skeleton(name));
         if (found == by_skeleton_.end()) return nullptr;
         const Lookalike* best = nullptr;
         for (const Lookalike& each : found->second) {
-            if (each.text == name) break;  // `name` is reported for the later text
+            if (each.text == name) break;  // of two similar texts, only the later one is reported
             if (best == nullptr) best = &each;
         }
         for (const Lookalike& each : found->second)

@@ -13,8 +13,8 @@ namespace grafverif {
 
 namespace {
 
-constexpr std::size_t widest = 120;       ///< maximum length of a line, if it can be broken
-constexpr std::size_t comfortable = 100;  ///< maximum length of an element in one line, if it can have several lines
+constexpr std::size_t widest = 120;       ///< maximum length of a line that can be broken
+constexpr std::size_t comfortable = 100;  ///< maximum length of a step that is printed on one line
 
 std::string joined(const std::vector<std::string>& parts) {
     std::string line;
@@ -203,7 +203,7 @@ Lines item_lines(const tree::File& file, const tree::Edge& written, std::size_t 
 std::string head_with_parameters(const tree::File& file, std::string_view keyword, tree::Name name,
                                  const std::vector<tree::Variables>& parameters) {
     const std::string head = std::string(keyword) + ' ' + formatted(file, name) + '(';
-    std::vector<std::string> parts;  // complete groups, or single variables if a group is too long
+    std::vector<std::string> parts;  // each a group, or one variable of a group that is too long
     for (const tree::Variables& group : parameters) {
         const std::string word = group.kind == tree::VariableKind::Input    ? "input "
                                  : group.kind == tree::VariableKind::Output ? "output "

@@ -23,8 +23,8 @@ using Symbols = Parser::symbol_kind;
 
 constexpr std::size_t longest_name = 1000;
 
-/// The parts of a duration such as `1.5s`: digits before the decimal point, decimals and unit. The unit may be one that
-/// the language does not have.
+/// The parts of a duration such as `1.5s`: digits before the decimal point, decimals and unit. The
+/// unit may be unknown to the language.
 struct Measure {
     std::string_view digits = {}, decimals = {}, unit = {};
 };

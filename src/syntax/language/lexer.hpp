@@ -113,7 +113,7 @@ private:
     std::deque<Token> pending_ = {};  ///< tokens to return before scanning continues
     bool recovering_ = false;
     bool cut_off_ = false;           ///< true if the text ended within a block, and CUT_OFF was returned
-    Span reported_ = {};             ///< the last reported token; it is reported only once
+    Span reported_ = {};             ///< the last reported token, which is not reported again
     std::uint32_t handed_back_ = 0;  ///< end of the token that was returned again after the last error; if an
                                      ///< error occurs at the same token again, the token is skipped
     Kind last_ = Parser::symbol_kind::S_YYEMPTY;  ///< the last returned token
@@ -123,7 +123,7 @@ private:
     Span before_where_ = {};
     Kind earlier_ = Parser::symbol_kind::S_YYEMPTY;    ///< the accepted token before `before_`
     Kind declaring_ = Parser::symbol_kind::S_YYEMPTY;  ///< the last keyword that began a block
-    Span heading_ = {};                                ///< `declaring_` and the name that follows it
+    Span heading_ = {};                                ///< span of `declaring_` and the next name
     std::vector<Block> blocks_ = {};                   ///< open blocks
     Span less_indented_ = {};  ///< heading of the first block whose `}` is indented less than its heading
     std::size_t brackets_ = 0, prefixes_ = 0;

@@ -97,9 +97,9 @@ std::size_t Lexer::indentation(std::uint32_t place) const {
     return std::min(line.find_first_not_of(" \t"), line.size());
 }
 
-/// Reports a missing `}` if a `}` is permitted at `where` and one of two conditions is satisfied: the text ends at
-/// `where`, or a line begins at `where` with a declaration that the current block does not allow. Returns true if it
-/// has reported an error.
+/// Reports a missing `}` if a `}` is permitted at `where`. In addition, the text must end at
+/// `where`, or a line must begin at `where` with a declaration that the current block does not
+/// allow. Returns true if it has reported an error.
 bool Lexer::report_missing_brace(Kind seen, Span where, std::span<const Kind> expected) {
     if (blocks_.empty() || !contains(expected, Symbols::S_CLOSE)) return false;
     const bool at_end = seen == Symbols::S_YYEOF, in_file = declares_in_file(seen);

@@ -18,7 +18,7 @@ void make_utf8(Id<Source> source, Sources& sources, Diagnostics& diagnostics) {
     std::string& text = sources[source].text;
     if (text.size() > largest_text) return;
     if (is_utf16(text)) {
-        if (text.size() % 2 != 0) return;  // `is_readable` reports an odd number of bytes
+        if (text.size() % 2 != 0) return;  // `is_readable` reports a text of odd length
         text = utf8_of_utf16(text);
     } else if (is_latin(text)) {
         const auto first = std::ranges::find_if(text, [](char c) { return static_cast<unsigned char>(c) >= 0x80; });

@@ -317,7 +317,7 @@ struct Schedule {
 struct ObserverEdge {
     Name from = {}, to = {};
     Id<Expr> condition = {};
-    std::vector<Assignment> assignments = {};  ///< always an error, which name resolution reports
+    std::vector<Assignment> assignments = {};  ///< invalid; name resolution reports the assignments
     Span where = {};
 };
 using ObserverItem = std::variant<Location, ObserverEdge>;
@@ -366,7 +366,7 @@ struct Copy {
     Span where = {};           ///< position of the replication or of the instance
     std::uint32_t outer = 0;   ///< the enclosing copy: index plus one; 0 if there is none
     bool is_instance = false;  ///< true for an instance of a chart; `value` then has no meaning
-    bool in_instance = false;  ///< true for an instance and for the copies in it
+    bool in_instance = false;  ///< true for an instance and for the copies in the instance
 };
 
 struct File {

@@ -24,7 +24,8 @@ constexpr int sum_level = 5;
 constexpr int product_level = 6;
 constexpr int prefix_level = 7;
 
-/// Returns the spelling of an operator in the .grafcet language and in UPPAAL. Both languages use the operators of C.
+/// Returns the spelling of an operator in the .grafcet language and in UPPAAL, which both use the
+/// operators of C.
 Spelling c_spelling(Op op) {
     switch (op) {
     case Op::False: return {"false", atom_precedence};

@@ -19,10 +19,11 @@
 
 namespace grafverif {
 
-/// Spelling of an operator in a dialect. Leaves and numbers have no token. Their precedence determines whether they
-/// need brackets as operands; for example, `3s/X2` needs brackets. A Conditional with the precedence `atom_precedence`
-/// always has brackets. If an operator encloses its operand with `open` and `close`, the term needs no outer brackets;
-/// in this case, `precedence` applies to the text between `open` and `close`.
+/// Spelling of an operator in a dialect. Leaves and numbers have no token. The precedence of a leaf
+/// determines whether the leaf needs brackets as an operand; for example, `3s/X2` needs brackets. A
+/// Conditional with the precedence `atom_precedence` always has brackets. If an operator encloses
+/// its operand with `open` and `close`, the term needs no outer brackets; in this case,
+/// `precedence` applies to the text between `open` and `close`.
 struct Spelling {
     std::string_view token = {};
     int precedence = 0;

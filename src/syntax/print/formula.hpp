@@ -28,8 +28,8 @@ std::optional<FormulaLanguage> formula_language(Pattern pattern);
 /// Meaning of a name in a model.
 struct FormulaName {
     enum class Type { Any, Boolean, Number, Value } type = Type::Any;
-    /// True if the value depends on a choice that the model makes in each step. Such a name is not allowed in CTL,
-    /// because CTL formulas describe states.
+    /// True if the value depends on a choice that the model makes in each step. A name with such a
+    /// value is not allowed in CTL, because CTL formulas describe states.
     bool of_steps = false;
 };
 /// A function that returns the meaning of a name, or nullopt if the model does not contain the name. A qualified name,

@@ -168,7 +168,7 @@ template <class Free>
 std::string first_free(const std::string& base, std::unordered_map<std::string, std::size_t>& next, const Free& free) {
     for (std::size_t& tried = next[base];; ++tried) {
         std::string name = base;
-        if (tried == 1) name += '_';  // rejected by `free` for Structured Text and C
+        if (tried == 1) name += '_';  // for Structured Text and C, `free` rejects the suffix `_`
         if (tried >= 2) name += '_' + std::to_string(tried);
         if (free(name)) return name;
     }

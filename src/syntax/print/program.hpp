@@ -8,8 +8,9 @@
 
 namespace grafverif {
 
-/// Returns the name of a variable of `unit`, such as `Level`, `Delay.Q` or `A[I + 1]`, or a global name. A variable of
-/// a Sequential Function Chart that statements cannot access has a name with a space.
+/// Returns the name of a variable of `unit`, such as `Level`, `Delay.Q` or `A[I + 1]`, or a global
+/// name. If a variable belongs to a Sequential Function Chart and statements cannot access the
+/// variable, its name contains a space.
 std::string place_text(const Program& program, Id<Program::Unit> unit, const Program::Place& place);
 
 /// Returns the name of the instance of `block` at `place`, relative to `unit`.

@@ -21,7 +21,7 @@ std::string claim(Pattern pattern, const std::vector<std::string>& operands, con
     case Pattern::Reachable: return "reachable " + operands[0];
     case Pattern::Inevitable: return "inevitable " + operands[0];
     case Pattern::LeadsTo: return operands[0] + " leads to " + operands[1];
-    case Pattern::Watched: break;  // the other overload prints this property
+    case Pattern::Watched: break;  // the overload for observers prints this property
     case Pattern::NoDeadlock: return "no deadlock";
     case Pattern::NoTimelock: return "no timelock";
     case Pattern::ReachableAllSteps: return "reachable all steps";

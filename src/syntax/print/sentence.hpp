@@ -23,7 +23,8 @@ std::string bound_text(const Sentence& watch);
 /// Returns the text of the property that states a constraint for a plant, such as `!(IN && OUT) holds for this plant`.
 std::string sentence(const ClosedLoop& loop, const ClosedLoop::Constraint& constraint);
 
-/// Returns the constraints of `loop` as properties. Their names differ from the names of all properties of `loop`.
+/// Returns the constraints of `loop` as properties with names that differ from the names of all
+/// properties of `loop`.
 std::vector<Property> constraints_to_prove(const ClosedLoop& loop);
 
 }  // namespace grafverif

@@ -26,8 +26,8 @@ Id<Chart::Variable> target_of(ChartScope& scope, tree::Name name) {
     return {};
 }
 
-/// Records the position of an action on `variable` in `mine`. Reports the first conflict between a continuous action
-/// and a stored action on the same variable.
+/// Records in `mine` the position of an action on `variable`. Reports the first conflict between a
+/// continuous action and a stored action on the same variable.
 void note_kind(ChartScope& scope, Id<Chart::Variable> variable, std::vector<Span>& mine, const std::vector<Span>& other,
                Span where) {
     if (mine[variable.index].source.valid()) return;

@@ -79,7 +79,7 @@ ChartInstance read_arguments(const ArgumentReader& reader, const std::vector<tre
                              const WrittenCharts::Entry& chart) {
     ChartInstance instance;
     const std::unordered_set<std::string_view> constants = constants_of(chart);
-    std::unordered_map<std::string, std::string> ports;  // for each variable: the port
+    std::unordered_map<std::string, std::string> ports;  // maps each bound variable to its port
     for (const tree::Argument& written : arguments) {
         const std::string name(reader.file.text(written.parameter));
         const auto [known, fresh] = instance.arguments.try_emplace(name);

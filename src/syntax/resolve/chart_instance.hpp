@@ -76,8 +76,8 @@ struct DeclaredConstant {
     std::int64_t low = 0, high = 0;  ///< limits of an integer
     bool contains(std::int64_t other) const { return kind != TermKind::Integer || (low <= other && other <= high); }
 };
-/// Resolves the declaration of a constant with a value. The result is empty after an error; after the error that the
-/// value is out of range, it is not empty.
+/// Resolves the declaration of a constant with a value. The result is empty after every error
+/// except an error about a value out of range.
 std::optional<DeclaredConstant> declared_constant(const tree::File& file, const tree::Variable& written,
                                                   Diagnostics& diagnostics,
                                                   const std::function<Terms(std::string_view)>& constant_terms);

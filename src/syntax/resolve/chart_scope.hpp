@@ -32,6 +32,7 @@ struct ChartScope {
     std::unordered_map<std::string_view, std::vector<Id<Chart::Step>>> steps_by_name = {};
     std::unordered_map<std::string, Id<Chart::TimeCondition>> times = {};
     std::unordered_map<std::uint64_t, Term> known_names = {};  ///< resolved terms of names, by partial chart and word
+
     /// For each variable: the position of its first continuous action and of its first stored action.
     std::vector<Span> continuous = {}, stored = {};
     Id<Chart::PartialChart> here = {};  ///< partial chart of the current term
@@ -74,6 +75,7 @@ struct WrittenChart {
 };
 
 // -- variables.cpp
+
 /// Returns a resolver of terms without names: each name is an error. `user` describes the term in messages.
 Terms constant_terms(ChartScope& scope, std::string_view user);
 void resolve_variables(ChartScope& scope, const tree::Variables& written);
@@ -93,6 +95,7 @@ void resolve_actions(ChartScope& scope, const WrittenChart& written);
 void resolve_stored(ChartScope& scope, const tree::Assignment& written, Chart::StoredAction action);
 
 // -- condition.cpp
+
 /// Returns a resolver of terms with the names of `scope`. `scope` must outlive the result.
 Terms terms_of(ChartScope& scope);
 /// Resolves a condition to a term; invalid after an error.
@@ -102,6 +105,7 @@ Id<Chart::Step> step_in(ChartScope& scope, Id<Chart::PartialChart> here, tree::N
 Id<Chart::PartialChart> partial_named(ChartScope& scope, tree::Name name);
 
 // -- reachability.cpp
+
 /// Reports steps that no sequence of transitions can activate.
 void check_reachability(const Chart& chart, Diagnostics& diagnostics);
 

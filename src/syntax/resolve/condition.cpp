@@ -23,7 +23,8 @@ Term unknown_name(ChartScope& scope, Span where, std::string_view name) {
     if (scope.diagnostics.full())
         return scope.diagnostics.add(messages::unknown(where, step_like ? "step" : "variable", name, "")), Term{};
     Nearest nearest(name);
-    const bool in_instance = name.find('.') != std::string_view::npos;  // no name of another chart is similar
+    // For a name in an instance of a chart, such as `Head.N`, no variable is suggested.
+    const bool in_instance = name.find('.') != std::string_view::npos;
     if (!step_like && !in_instance)
         for (const Chart::Variable& variable : scope.chart.variables) nearest.offer(variable.name);
     if (name[0] == 'X' || name[0] == 'x')

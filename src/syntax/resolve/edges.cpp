@@ -167,7 +167,7 @@ void resolve_location(ComponentScope& scope, const tree::Location& written) {
     const InCopy copy(scope.diagnostics, scope.file, written.name);
     const auto known = scope.locations.find(written.name.word);
     if (scope.component.locations[known->second].origin.begin != written.name.where.begin)
-        return;  // a second declaration, already reported
+        return;  // a second declaration, which has already been reported
     Conjuncts invariant;
     if (written.invariant.valid()) take(scope, written.invariant, invariant);
     for (const Id<tree::Expr> node : invariant.data_nodes)

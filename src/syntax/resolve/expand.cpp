@@ -344,8 +344,9 @@ private:
         if (terms_.frame.instance == nullptr || (written.subject.empty() && !terms_.frame.partial)) return;
         written.subject_where = {};  // only the resolution of the chart itself records names
         const auto bound = terms_.frame.values.find(written.subject);
+        // The subject of each of the following codes is a transition, not a variable.
         const bool variable = !written.code.starts_with("transition-") && written.code != "comes-once" &&
-                              written.code != "branches-together";  // the subject is a transition
+                              written.code != "branches-together";
         if (variable && bound != terms_.frame.values.end() && bound->second.op == Op::Name)
             written.subject = copy_.words[bound->second.word].text;
         else if (terms_.frame.partial) written.subject = terms_.frame.instance->name + '.' + written.subject;

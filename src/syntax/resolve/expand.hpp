@@ -34,6 +34,7 @@ struct Expansion {
     Diagnostics& diagnostics;
     Recorder record = {};
     Span owner = {};  ///< position of the name of the expanded declaration
+
     /// Returns a resolver of terms of `copy` that read only constants. The argument describes the term in messages.
     std::function<Terms(std::string_view)> constant_terms = {};
     /// If set, the expansion calls this function for each group of constants of the result, before it expands the
@@ -44,6 +45,7 @@ struct Expansion {
     std::uint64_t* copied = nullptr;
     const WrittenCharts* charts = nullptr;  ///< the charts of instances; null if there are none
     ChartInstance* instance = nullptr;      ///< if not null: the instance to which the chart is copied
+
     /// Result: true if an instance is missing because its chart has an error. This error has been reported.
     bool incomplete = false;
     /// Result: the first position of each index variable.

@@ -26,7 +26,8 @@ struct Binding {
     const Component* component = nullptr;
     ClosedLoop::Instance instance = {};
     std::vector<const tree::Argument*> given = {};  ///< for each parameter: its argument, or null
-    std::vector<bool> bound = {};                   ///< for each parameter: true if it is given or inherited
+    std::vector<bool> bound = {};                   ///< for each parameter: true if given or inherited
+
     /// For a fault: the instance whose arguments it inherits.
     const Binding* of = nullptr;
     bool wrong = false;
@@ -179,7 +180,7 @@ std::optional<std::string_view> bound_name(LoopScope& scope, Binding& binding, I
 
 std::optional<Type> output_type(LoopScope& scope, Binding& binding, const Parameter& parameter) {
     if (parameter.value == Component::ValueKind::Boolean) return Type{};
-    if (!parameter.low || !parameter.high) return {};  // possible only after an error
+    if (!parameter.low || !parameter.high) return {};  // a bound is missing only after an error
     const auto low = value_of(scope, binding, *parameter.low);
     const auto high = low ? value_of(scope, binding, *parameter.high) : std::nullopt;
     if (!low || !high) return {};

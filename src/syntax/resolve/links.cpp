@@ -42,8 +42,8 @@ private:
     UniqueNames names_ = {};
 };
 
-/// Returns a name that occurs in the transition, and therefore belongs to the same copy; invalid if the transition
-/// contains no name.
+/// Returns a name that occurs in the transition, and that therefore belongs to the same copy of the
+/// declarations as the transition; invalid if the transition contains no name.
 tree::Name name_in_copy(const tree::Transition& written) {
     if (written.name.valid()) return written.name;
     if (!written.from.empty()) return written.from.front();

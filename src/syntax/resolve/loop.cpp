@@ -26,8 +26,8 @@ namespace {
 
 std::string_view described(const Type& type) { return type.boolean ? "Boolean" : "an integer"; }
 
-/// Resolves a word for which two values are allowed. Reports any other word, and suggests the more similar allowed
-/// word.
+/// Returns the value of the word `name`, which must occur in `choices`. Reports any other word, and
+/// suggests an allowed word.
 template <class Value>
 std::optional<Value> choice(LoopScope& scope, tree::Name name, std::string_view kind,
                             std::initializer_list<std::pair<std::string_view, Value>> choices) {
@@ -219,7 +219,8 @@ void resolve_schedule(LoopScope& scope, const tree::Schedule& written) {
                                             {"sequenced", Schedule::Sequenced}});
 }
 
-/// Checks a formula in the language of an external tool, because it is copied unchanged into models.
+/// Checks a formula in the language of an external tool, because the formula is copied unchanged
+/// into models.
 void check_formula(LoopScope& scope, const tree::Property& written) {
     const auto language = formula_language(written.pattern);
     if (!language) return;
@@ -369,7 +370,7 @@ std::optional<Span> declared_name(const LoopScope& scope, std::string_view name)
     if (const auto controller = scope.controllers.find(name); controller != scope.controllers.end())
         return scope.loop.controllers[controller->second].origin;
     for (const Id<ClosedLoop::Controller> id : scope.loop.controllers.ids()) {
-        if (id.index >= scope.inside.size()) break;  // only after an error in the expansion
+        if (id.index >= scope.inside.size()) break;  // occurs only after an error in the expansion
         const auto& partials = scope.inside[id.index].partials;
         if (const auto partial = partials.find(name); partial != partials.end())
             return scope.chart(id).partial_charts[partial->second].origin;

@@ -45,6 +45,7 @@ struct LoopScope {
     std::vector<std::string> instance_writers = {};
     std::set<std::string, std::less<>> excused = {};    ///< variables that instances with errors may write
     std::set<std::string, std::less<>> valueless = {};  ///< constants without a value, because of an error
+
     /// The position of the last declaration of a constant; the key is the name without indices.
     struct LastDeclaration {
         Span name = {}, whole = {};
@@ -55,6 +56,7 @@ struct LoopScope {
     std::unordered_map<std::string_view, const tree::Instance*> written_instances = {};
     std::uint64_t* copied = nullptr;  ///< see Expansion::copied
     bool too_large = false;           ///< true if the instances of charts are too large
+
     /// True if an element to which the loop refers contains an error; always false if the resolution continues after
     /// errors.
     bool incomplete = false;
@@ -78,6 +80,7 @@ struct LoopScope {
 std::string location_list(const Component& component);
 
 // -- constants.cpp
+
 /// `announce_constants` must be called first, with the declarations before their expansion. `resolve_constants` must be
 /// called for each group of constants before all functions that read these constants.
 void announce_constants(LoopScope& scope, const tree::File& file, const tree::ClosedLoop& written);
@@ -92,30 +95,40 @@ std::optional<Span> variable_named(const LoopScope& scope, std::string_view name
 std::optional<Term> constant_named(LoopScope& scope, std::string_view name, Span where);
 /// Returns the resolver of terms that read only constants. `user` describes the term in messages.
 Terms constant_terms(LoopScope& scope, std::string_view user);
+
 // -- chart_instance.cpp
+
 /// Handles a controller that is an instance of a chart: adds the copied chart to the model. The result is invalid after
 /// an error.
 Id<Chart> instantiate(LoopScope& scope, const tree::Controller& written);
+
 // -- instances.cpp
 void resolve_instances(LoopScope& scope, const tree::ClosedLoop& written);
+
 // -- observers.cpp
+
 /// `declare_observers` declares names and locations; it must be called first, because properties read them.
 /// `resolve_observers` and `resolve_constraints` resolve edges and constraints.
 void declare_observers(LoopScope& scope, const tree::ClosedLoop& written);
 void resolve_observers(LoopScope& scope, const tree::ClosedLoop& written);
 void resolve_constraints(LoopScope& scope, const tree::ClosedLoop& written);
+
 // -- loop_names.cpp: names in properties and constraints
 Terms property_terms(LoopScope& scope);
 /// Returns the resolver of terms that are bound to inputs of an instance. These terms may contain shared variables and
 /// constants.
 Terms port_terms(LoopScope& scope);
+
 // -- loop_times.cpp
+
 /// Resolves a time condition `t1/v/t2` in a property. The term reads the timer of a controller with the same time
 /// condition. The result is empty if `node` is not a time condition.
 std::optional<Term> time_term(LoopScope& scope, const tree::Expr& node);
 /// Returns the leaf for `symbol` in expressions of the loop.
 Id<Expr> symbol_leaf(LoopScope& scope, const ClosedLoop::Symbol& symbol);
+
 // -- loop.cpp
+
 /// Returns the shared variable with this name. Declares the variable if necessary.
 Id<ClosedLoop::Shared> shared_named(LoopScope& scope, std::string_view name, const Type& type, Span where);
 

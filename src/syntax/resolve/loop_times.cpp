@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Resolves time conditions in properties. A property creates no timer. Therefore a time condition in a property, such
-// as `3s/X2`, must also occur in a transition or a delayed action of a chart of the loop. It reads the timer of this
-// chart, which also appears in traces.
+// as `3s/X2`, must also occur in a transition or a delayed action of a chart of the loop. The time
+// condition reads the timer of this chart, which also appears in traces.
 #include <algorithm>
 #include <string>
 #include <vector>

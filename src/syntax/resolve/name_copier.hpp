@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // NameCopier: copies names and terms of a chart, component or loop. In the copy, values replace index variables and
 // constants, and variables replace ports (inputs and outputs of an instantiated chart). The copier counts the elements
-// of the copies, because their number is limited. `expand` uses it to copy declarations.
+// of the copies, because their number is limited. `expand` uses the copier for declarations.
 #pragma once
 
 #include <algorithm>
@@ -57,6 +57,7 @@ public:
         bool partial = false;               ///< true if the instance is a partial chart
         std::map<std::string, Value, std::less<>> values = {};
         std::set<std::string, std::less<>> bound = {};  ///< variables that are bound to ports
+
         /// The internal variables of the chart, by name without indices. The position of a variable with indices is
         /// empty.
         std::map<std::string, Span, std::less<>> own = {};
@@ -152,7 +153,7 @@ public:
 
     Frame frame = {};
     tree::Words words;
-    bool too_large = false;  ///< true after the error that the copies are too large
+    bool too_large = false;  ///< true if the error that the copies are too large has been reported
 
 private:
     struct Bounds {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Nearest: finds the declared name that a misspelt name probably denotes. The distance is the number of insertions,
 // deletions and replacements of characters and of swaps of adjacent characters; candidates at a distance of more than
-// two are ignored. The length alone excludes most candidates. Case is considered only if distances are equal.
+// two are ignored. Most candidates are excluded by their length alone. Case is considered only if
+// distances are equal.
 #pragma once
 
 #include <cstddef>
@@ -24,8 +25,8 @@ private:
     std::string name_;
     std::string best_ = {};
     std::string prefixed_ = {};
-    /// Only candidates with a lower rank are considered. The rank is twice the distance without regard to case, plus 1
-    /// if the case differs.
+    /// Only candidates whose rank is lower than this number are considered. The rank is twice the
+    /// distance without regard to case, plus 1 if the case differs.
     std::size_t distance_;
 };
 

@@ -79,7 +79,8 @@ void resolve_edge(LoopScope& scope, Id<Observer> observer, const tree::ObserverE
 
 // -- constraints ------------------------------------------------------------------------------------------------------
 
-/// True if the term reads only inputs of controllers. Otherwise, reports the first other name.
+/// True if the term reads only inputs of controllers. Otherwise, reports the first name that does
+/// not denote such an input.
 bool reads_inputs_only(LoopScope& scope, Id<Expr> condition, Span where) {
     bool only = true;
     const auto refuse = [&](const std::string& name) {

@@ -266,7 +266,8 @@ void check_input(ComponentScope& scope, const tree::Variable& written) {
 
 void check_constant(ComponentScope& scope, const tree::Variable& written) {
     if (written.range)
-        scope.diagnostics.add(messages::misplaced_type(written.where, "a constant has no range; remove it"));
+        scope.diagnostics.add(
+            messages::misplaced_type(written.where, "a constant cannot have a range; remove the range"));
 }
 
 }  // namespace

@@ -24,13 +24,14 @@
 
 namespace grafverif {
 
-// All functions add the declarations and references of the tree to `record`. They add the number of elements in copies
-// of replicated declarations to `copied`; this number is limited (see `largest_expansion`). If the resolution continues
-// after errors (see Recorder), the result lacks only the parts with errors instead of being empty.
+// All functions add the declarations and references of the tree to `record`. The functions also add
+// the number of elements in copies of replicated declarations to `copied`; this number is limited
+// (see `largest_expansion`). If the resolution continues after errors (see Recorder), the result
+// lacks only the parts with errors instead of being empty.
 
-/// Resolves a chart. The result is empty after at least one error. It can contain constructs that a later stage
-/// rejects. The chart can contain instances of `charts`, which must have been resolved before. If `instance` is not
-/// null, the result is this instance of the chart.
+/// Resolves a chart. The result is empty after at least one error. The returned chart can contain
+/// constructs that a later stage rejects. The chart can contain instances of `charts`, which must
+/// have been resolved before. If `instance` is not null, the result is this instance of the chart.
 std::optional<Chart> resolve_chart(const tree::File& file, const tree::Chart& written, Diagnostics& diagnostics,
                                    Recorder record = {}, std::uint64_t* copied = nullptr,
                                    const WrittenCharts* charts = nullptr, ChartInstance* instance = nullptr);
@@ -54,7 +55,8 @@ struct LoopContext {
     const WrittenCharts& charts;
     std::unordered_set<std::string> components_in_error = {};
     std::vector<std::string> component_names = {};  ///< names of all components, for suggestions
-    /// Values of constants that the user has set. They override the values in the loop.
+
+    /// Values of constants that the user has set; these values override the values in the loop.
     std::map<std::string, std::string, std::less<>> constants = {};
 };
 

@@ -36,7 +36,7 @@ public:
     /// Handles operators for which the caller has special rules. If the result is empty, the common rules apply.
     std::function<std::optional<Term>(const tree::Expr&)> special = {};
     bool edges_allowed = false;
-    bool places_allowed = false;  ///< true if `Gate in open` is allowed; `name` resolves it
+    bool places_allowed = false;  ///< true if `Gate in open` is allowed; `name` resolves this test
 
     Term resolve(Id<tree::Expr> node);
     /// Resolves `node` to a term of type `kind`; invalid after an error. `user` describes the term in messages.

@@ -27,8 +27,8 @@ std::optional<Id<Expr>> parse_expression(const Text& text, File& file, const Sou
 std::optional<Block> parse_statements(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics);
 /// Parses the programs, function blocks, functions and global variables of a text file. Returns false after an error.
 bool parse_units(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics);
-/// Same as `parse_units`, but also parses types and configurations. Used for programs that grafverif executes. Returns
-/// false after an error.
+/// Same as `parse_units`, but also parses types and configurations. This function reads the
+/// programs that grafverif executes. Returns false after an error.
 bool parse_programs(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics);
 /// Parses an expression of a property, which may also contain the operators `! && || == !=`. The result is empty after
 /// at least one error.

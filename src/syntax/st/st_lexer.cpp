@@ -292,8 +292,8 @@ Token Lexer::integer(std::string_view digits, int base) {
     return {Parser::token::INTEGER, value.value_or(0), here_};
 }
 
-/// Reads a literal with a type name: an integer or bit string type, such as `INT#5` or `BYTE#-1`, or a duration.
-/// Literals with other type names are not supported.
+/// Reads a literal that begins with a type name: an integer or a bit string, such as `INT#5` or
+/// `BYTE#-1`, or a duration. Literals with other type names are not supported.
 Token Lexer::typed_integer(std::string_view match) {
     const std::size_t hash = match.find('#');
     const std::string type = capitals(match.substr(0, hash));

@@ -38,8 +38,8 @@ public:
     using Token = Parser::symbol_type;
     using Kind = Parser::token_kind_type;
 
-    /// Creates a lexer. Its first token is `goal`, which selects the start symbol of the parser. Unless `goal` selects
-    /// units or programs, keywords of units and charts are treated as names.
+    /// Creates a lexer whose first token is `goal`, which selects the start symbol of the parser.
+    /// Unless `goal` selects units or programs, keywords of units and charts are treated as names.
     Lexer(const Text& text, Kind goal, File& file, const Sources& sources, Diagnostics& diagnostics);
 
     Token next();

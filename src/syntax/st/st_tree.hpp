@@ -111,6 +111,7 @@ struct Type {
     Id<Expr> low = {}, high = {};
     bool composite = false;
     std::vector<Name> values = {};  ///< values of an enumeration; `name` is the name of the first value
+
     /// For an array: first and last index of each dimension. The elements have the type `name`.
     std::vector<std::array<Id<Expr>, 2>> dimensions = {};
 };
@@ -175,8 +176,9 @@ struct Step {
     std::string comment = {};
     Span where = {};  ///< from the keyword to the name
     Span whole = {};  ///< from the keyword to END_STEP; without source in a drawing
+
     /// In CODESYS: the actions on activation (`entry`), while the step is active (`active`), and on deactivation
-    /// (`exit`). They can be actions of instances.
+    /// (`exit`). Each of these actions can be an action of an instance.
     Id<Expr> entry = {}, active = {}, exit = {};
 };
 

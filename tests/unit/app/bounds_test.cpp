@@ -56,7 +56,8 @@ double processor_seconds(pid_t child) {
     return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
 }
 
-/// Runs the program in a separate process, as a user starts it. Its standard input never ends.
+/// Runs the program in a separate process, as a user starts it, with a standard input that never
+/// ends.
 Ended run_bounded(const Folder& folder, std::vector<std::string> arguments, const Setting& setting) {
     arguments.insert(arguments.begin(), GRAFVERIF_PROGRAM);
     std::vector<char*> pointers;

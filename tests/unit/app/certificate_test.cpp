@@ -84,7 +84,7 @@ TEST(Certificate, TheReportStatesTheKindForEachVerdict) {
     const std::string unknown = folder.read("few.html");
     EXPECT_NE(unknown.find("unknown (certificate: none)"), std::string::npos);
     EXPECT_NE(unknown.find("Certificate: none: the verdict is unknown."), std::string::npos);
-    // Without a certificate, the report is that of `report`.
+    // Without a certificate, `check --report` writes the same file as `report`.
     ASSERT_EQ(grafverif({"check", folder.file("room.grafcet"), "--report", folder.file("plain.html")}).code,
               ExitCode::Verdict);
     ASSERT_EQ(grafverif({"report", folder.file("room.grafcet"), "-o", folder.file("report.html")}).code,
@@ -208,7 +208,8 @@ TEST(Certify, RejectsRunsWithAModelError) {
     EXPECT_EQ(holds.out, "rejected: a model error is possible: edge 0 (0) of `p` causes a model error\n");
 }
 
-/// Results of a folder begin with its name, so that they differ from the results of all other folders.
+/// The results of a folder begin with the name of the folder, so that the results of different
+/// folders differ.
 TEST(Certify, NamesTheFolderOfAProperty) {
     const Folder folder;
     const std::string dark = "grafverif-network 2\nprocess p 1 0\nproperty dark never 0\n", states = "0 \n";
@@ -277,7 +278,7 @@ TEST(Certify, RejectsSubsystemsThatDependOnEachOther) {
     const std::string reads = head +
                               "edge 0 0 B\nset A (not A)\nprocess q 1 0\nedge 0 0 1\nset B (not B)\n"
                               "property lives no-deadlock\n";
-    EXPECT_EQ(check(reads, {left, right}), "rejected: a subsystem reads a value of another one\n");
+    EXPECT_EQ(check(reads, {left, right}), "rejected: a subsystem reads a value of another subsystem\n");
     const std::string writes = head +
                                "edge 0 0 1\nset A (not A)\nprocess q 1 0\nedge 0 0 1\nset A (not B)\n"
                                "property lives no-deadlock\n";
@@ -358,7 +359,7 @@ TEST(Certify, RejectsMalformedFilesWithAMessage) {
     EXPECT_EQ(certify(folder.file("missing")).code, 2);
 }
 
-/// A folder that contains itself ends with a message.
+/// The check of a folder that contains itself ends with a message.
 TEST(Certify, BoundsItsWork) {
     const Folder folder;
     const std::string path = write_certificate(folder, lamp, "also again\n");

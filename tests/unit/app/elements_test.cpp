@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Checks the table of elements and stages in docs/reference/language-elements.md. Each entry is tested on a chart that
-// contains the difficult case of its element. `x` means that the stage supports the chart and gives the result that the
-// chart declares. `-` means that the stage rejects the element by name, or prints a message and omits the parts that
-// read the element. An empty entry means that the element is irrelevant to the stage.
+// contains the most difficult case of its element. `x` means that the stage supports the chart and
+// gives the result that the chart declares. `-` means that the stage rejects the element by name,
+// or prints a message and omits the parts that read the element. An empty entry means that the
+// element is irrelevant to the stage.
 #include <gtest/gtest.h>
 
 #include <functional>

@@ -103,7 +103,7 @@ TEST(LineProcess, ExcessiveOutputIsTruncated) {
     EXPECT_EQ(many.request("a"), (Reply{Kind::Flood, "y"}));
     LineProcess two("while read line; do echo 1; echo 2; done", {});
     Kind kind = two.request("a").kind;
-    for (int k = 0; k < 100 && kind == Kind::Line; ++k) {  // the second line arrives later
+    for (int k = 0; k < 100 && kind == Kind::Line; ++k) {  // the second line may arrive later
         std::this_thread::sleep_for(milliseconds(20));
         kind = two.request("a").kind;
     }

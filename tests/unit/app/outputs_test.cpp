@@ -115,7 +115,8 @@ TEST(Depfile, IsRejectedIfItWouldBeEmpty) {
 }
 
 /// Returns names that contain every ASCII character in the middle, at the beginning and at the end, and backslashes
-/// before some characters. All of them are names that `reader` can represent on that side of a rule.
+/// before some characters. The result contains only names that `reader` can represent on the given
+/// side of the colon of a rule.
 std::vector<std::string> hostile_names(DepfileSide side, DepfileReader reader) {
     std::vector<std::string> names = {"plain",   "$(x) y",   "a\\ b",  "a\\#b",    "a\\\\#b",     "a\\:b",
                                       "a\\$b",   "a\\\\$b",  "a\\*b",  "a\\%b",    "a\\|b",       "a\\\\ # $$b",

@@ -143,7 +143,7 @@ TEST(Remedies, AreInTextAndPageBeforeOtherAdvice) {
     const std::size_t remedies = text.out.find("\nremedies, tried on this model for ");
     ASSERT_NE(remedies, std::string::npos) << text.out;
     EXPECT_LT(text.out.find("both holds ("), text.out.size()) << text.out;
-    EXPECT_EQ(text.out.find("`--"), text.out.find("`--", remedies)) << text.out;  // no option is before them
+    EXPECT_EQ(text.out.find("`--"), text.out.find("`--", remedies)) << text.out;  // no option precedes the remedies
     const std::string page = folder.file("page.html");
     grafverif({"report", file, "-o", page, "--max-states", "20", "--timeout", "600s"});
     EXPECT_NE(folder.read("page.html").find("remedies, tried on this model"), std::string::npos);

@@ -523,7 +523,7 @@ TEST(Monitor, EndsAtTheFirstDeviation) {
     const Result range = grafverif({"monitor", file}, head + "1,2,,1,,4\nbad\n");
     EXPECT_NE(range.err.find("the value 2 of `START` is outside"), std::string::npos) << range.err;
     EXPECT_EQ(range.err.find(":4:"), std::string::npos) << range.err;
-    // The samples before an invalid line have a report.
+    // The samples before an invalid line are reported.
     const Result before = grafverif({"monitor", file}, head + "1,1,,1,,4\n2,,,,,\nbad\n");
     EXPECT_EQ(before.code, ExitCode::Input);
     EXPECT_NE(before.out.find("pump: unknown\n  an invalid line ended the check; no deviation up to this line\n"),
@@ -571,7 +571,7 @@ std::vector<std::string> random_samples(std::mt19937_64& random) {
     return lines;
 }
 
-// Samples that are added one by one have the verdicts of the complete recording.
+// If samples are added one by one, the verdicts are those of the complete recording.
 TEST(RecordingMonitor, HasTheReportOfTheCompleteRecording) {
     ParseResult read = read_string(pump, "pump.grafcet");
     ASSERT_TRUE(read.model.has_value());

@@ -231,7 +231,7 @@ TEST(Reports, StateThatTheirRunDidNotFinish) {
     Reports reports;
     CommandContext job{.options = {.operands = {file}, .junit = folder.file("r.xml"), .sarif = folder.file("r.sarif")},
                        .reports = &reports};
-    begin_reports(false, job);  // no further call, as if the program were killed here
+    begin_reports(false, job);  // no call ends the reports, as if the program were killed
     EXPECT_NE(folder.read("r.xml").find("the command did not complete"), std::string::npos);
     EXPECT_EQ(checked(folder.read("r.sarif")).size(), 0u);
     EXPECT_NE(folder.read("r.sarif").find("the command did not complete"), std::string::npos);

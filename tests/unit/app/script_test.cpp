@@ -36,7 +36,7 @@ TEST(Script, WaitUntilIsMetByAStateOfTheCurrentInstant) {
         const ScriptRun run = script(passing, of,
                                      "GO = true\nwait until X1\nwait until X2\nexpect within 1s X1\nexpect X3\n"
                                      "GO = false\nwait until X5\nexpect X0\nwait until X0\n");
-        // The first expectation after `X2` was met, but the second `X1` was not.
+        // The expectation of a second `X1` (line 4) is not met, but that of `X3` (line 5) is.
         EXPECT_NE(run.err.find(":4: not met: expected `X1`, but `X1` is not active after 1 s\n"), std::string::npos)
             << run.err;
         EXPECT_EQ(run.err.find(":5:"), std::string::npos) << run.err;

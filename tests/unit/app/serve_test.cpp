@@ -275,7 +275,8 @@ TEST(ServeFileChecker, FollowsIncludedFilesEvenBeforeTheyExist) {
 
 TEST(ServeFileChecker, CancelsTheChecksOfAnEarlierSave) {
     const Folder folder;
-    // A chart with six buttons that have clocks with incommensurable times, and therefore too many states to wait for.
+    // A chart with six buttons, whose clocks have incommensurable times: the chart has too many
+    // states for a search that the test could wait for.
     std::string hard =
         "grafcet panel { input A, B, C, D, E, F; output O; initial step 0; step 1 { O; }\n"
         "transition t: 0 -> 1 when A && B && C && D && E && F; transition u: 1 -> 0 when !A; }\n"

@@ -321,7 +321,8 @@ std::string counter(const std::string& step, const std::string& properties) {
            properties + " }\n";
 }
 
-/// NuSMV and UPPAAL compute with 32 bits. They would report that N * 500000000 never exceeds 2100000000.
+/// NuSMV and UPPAAL compute with 32 bits, and would report that N * 500000000 never exceeds
+/// 2100000000.
 TEST(Models, PropertyThatNeedsMoreThan32BitsIsOmittedAndDecidedByEmbeddedEngines) {
     const Folder folder;
     const std::string file =

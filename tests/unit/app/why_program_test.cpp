@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tests `check --why` for PLC programs, without a plant and as controllers of closed loops. For programs with one
-// statement per line, the result is compared with the verdicts on the program whose text lacks the line.
+// statement per line, the result is compared with the verdicts on the programs whose texts lack one
+// line.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -154,7 +154,8 @@ std::string lrat_flaw(const ClauseList& given, const std::string& proof) {
     return "no empty clause";
 }
 
-/// Checks the clauses and proofs of a witness. `read` returns the content of the file with an ending.
+/// Checks the clauses and proofs of a witness. `read` returns the content of the file with a given
+/// ending.
 template <class Read>
 void expect_proofs(const Read& read) {
     const AigerFile model = read_aiger(read(".model.aag")), witness = read_aiger(read(".witness.aag"));
@@ -187,7 +188,7 @@ TEST(Certificate, WitnessCircuitsOfPdrAreInductive) {
         const std::string name = entry.path().filename().string(), ending = ".model.aag";
         if (!name.ends_with(ending)) continue;
         const std::string base = "tanks/" + name.substr(0, name.size() - ending.size());
-        if (fs::exists(folder.file(base + ".cex"))) continue;  // a run, not a proof
+        if (fs::exists(folder.file(base + ".cex"))) continue;  // the verdict has a run, not a proof
         const std::string model = folder.read(base + ending), witness = folder.read(base + ".witness.aag");
         EXPECT_EQ(flaw(model, witness), "") << name;
         expect_proofs([&](const std::string& end) { return folder.read(base + end); });

@@ -24,8 +24,8 @@ Bdd neighbours(const BddSpace& space, std::uint32_t pairs) {
     return result;
 }
 
-/// Renames the variables so that the variables of a pair are no longer neighbours. This single operation creates more
-/// than 2^n nodes for n pairs.
+/// Renames the variables so that the variables of a pair are no longer neighbours. The renaming is
+/// a single operation that creates more than 2^n nodes for n pairs.
 struct TakenApart {
     explicit TakenApart(std::uint32_t pairs) : renaming(moves(pairs)) {}
 

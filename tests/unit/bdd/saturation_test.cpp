@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::uint32_t bits = 6;
 
-/// An event cluster that may change one or two bits. Its condition reads two or three bits and a choice, which is below
-/// all bits in the variable order.
+/// An event cluster that may change one or two bits. The condition of the cluster reads two or
+/// three bits and a choice, which is below all bits in the variable order.
 struct Kind {
     std::vector<NextBit> next = {};
     Bdd condition = {};

@@ -58,7 +58,8 @@ TEST(InputAbstraction, DeclaredPropertiesWithNamesOfImplicitOnesAreProvedThemsel
     EXPECT_EQ(outcome(expand(loop.network), "no_race"), Outcome::Violated);
 }
 
-/// Before the first evolution, both instances move. The first evolution reads them.
+/// Before the first evolution, the instances EA and EB move; the first evolution reads their
+/// outputs A and B.
 TEST(InputAbstraction, MacroStepsKeepMovesBeforeTheFirstEvolution) {
     const Network loop = expand(
         read_loop(
@@ -452,7 +453,8 @@ TEST(InputAbstraction, IgnoresQuiescenceOfOmittedInstances) {
         << "the test would not detect that the premise is violated";
 }
 
-/// Returns a loop with two buttons. Its chart changes its step infinitely often within an instant while `when` holds.
+/// Returns a loop with two buttons, whose chart changes its step infinitely often within an instant
+/// while `when` holds.
 std::string unstable(const std::string& when, const std::string& property) {
     return loop("input A, B; output L;",
                 "initial step 0; step 1; step 2 { L; } transition t0: 0 -> 1 when A; transition t1: 1 -> 2 when !A; "

@@ -197,7 +197,7 @@ TEST(Localization, GuardThatKeepsAValueInRangeIsDetected) {
     const auto a = s.process("A", 1);
     s.edge(a, {.guard = s.op(Op::Less, s.is(n), s.number(2)), .set = {{n, s.op(Op::Plus, s.is(n), s.number(1))}}});
     EXPECT_TRUE(cells_that_may_err(expand(s.network), cells_of(expand(s.network))).empty());
-    s.edge(a, {.guard = s.op(Op::Less, s.is(m), s.number(2)),  // this bound is useless after m is assigned
+    s.edge(a, {.guard = s.op(Op::Less, s.is(m), s.number(2)),  // m := 2 makes this bound useless
                .set = {{m, s.number(2)}, {n, s.is(m)}, {m, s.op(Op::Plus, s.is(m), s.number(1))}}});
     EXPECT_EQ(cells_that_may_err(expand(s.network), cells_of(expand(s.network))).size(), 1U);
     EXPECT_TRUE(terms_have_values(expand(s.network)));

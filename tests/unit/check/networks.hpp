@@ -50,8 +50,8 @@ public:
     Network network = {};
 };
 
-/// Checks the network. It also verifies the network, and replays every run to a state in which the property is violated
-/// or witnessed.
+/// Verifies that the network is well formed, checks its properties, and replays every run to a
+/// state in which the property is violated or witnessed.
 TimedResult checked(const Network& network, const TimedOptions& options = {});
 /// Checks that the run of the verdict can be replayed and ends in a state that proves the verdict.
 void confirm(const Network& network, const Property& property, const Verdict& verdict);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tests the conversion of the output of verifyta to verdicts. The texts were not printed by the real program, because
-// its licence forbids automated tests. They contain verdict lines of the documented form, and lines that may surround
-// them.
+// its licence forbids automated tests. The texts contain verdict lines of the documented form, and
+// other lines that may surround the verdict lines.
 #include "check/external/verifyta.hpp"
 
 #include <gtest/gtest.h>

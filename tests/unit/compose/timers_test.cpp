@@ -9,7 +9,8 @@
 namespace grafverif {
 namespace {
 
-/// Returns a chart with the transitions 1 -> 2 when 5s/X1 and 2 -> 1 when true. It generates one pulse every 5 s.
+/// Returns a chart with the transitions 1 -> 2 when 5s/X1 and 2 -> 1 when true, which generates one
+/// pulse every 5 s.
 Model pulse() {
     HandChart hand("pulse");
     const auto one = hand.step("1", true), two = hand.step("2");

@@ -177,7 +177,7 @@ TEST(TestSequence, OfAFallTimeSeesItRunAndEnd) {
               "1,1,,2,1,1,{1}\n"
               "1,2,,2,0,1,{1}\n"
               "1,3,,2,1,1,{1}\n"
-              "1,4,2s,2,1,1,{1}\n"  // a is true for longer than the fall time that is running
+              "1,4,2s,2,1,1,{1}\n"  // a stays true beyond the fall time that began in step 2
               "1,5,,2,0,1,{1}\n"
               "1,6,,2,1,1,{1}\n"
               "1,7,,2,0,1,{1}\n"
@@ -223,8 +223,8 @@ TEST(MealyMachine, IsMinimisedWithinItsBounds) {
 }
 
 TEST(TestSequence, OfAMinimizedMachineHoldsInputsOnlyIfTheOutputIsUnchanged) {
-    // In the next cycle, {1} and {1,2} have the same outputs. Therefore both are merged into one state, which can be
-    // entered with different outputs.
+    // In the next cycle, {1} and {1,2} have the same outputs. Therefore both situations are merged
+    // into one state, which can be entered with different outputs.
     const std::string text =
         "input a; output O, P; initial step 2 { O; } initial step 1 { P; } transition t0: 2 -> 1 when true;"
         "step 3; transition t1: 3 -> when fall(a);";

@@ -97,7 +97,7 @@ TEST(Explain, UnstableChartIsExplainedByItsSituations) {
               "instant; make a transition of the cycle wait for an input change\n");
 }
 
-/// A belt that must arrive after 2 s, but cannot while its motor runs.
+/// A belt that must arrive within 2 s, but cannot arrive while its motor runs.
 constexpr const char* stuck_belts = R"(component belt(input GO; output AT) {
     clock t;
     initial location still;
@@ -150,7 +150,7 @@ TEST(Explain, TraceToATimelockContainsNoMovesThatCouldBeOmitted) {
     const auto report = check(*reading.model, {0}, {}, {.whole = true}, reading.diagnostics);
     ASSERT_TRUE(report) << reading.diagnostics_text();
     EXPECT_EQ(notes(*report, "time"), blocked_belts);
-    // The input `b` can always change, but no change of it ends the timelock.
+    // The input `b` can always change, but no change of `b` ends the timelock.
     const ChartRun& run = answer(*report, "time").trace.value();
     EXPECT_FALSE(run.loop);
     for (const ChartRun::Row& row : run.rows) EXPECT_NE(row.component, "B");
@@ -295,7 +295,7 @@ TEST(Explain, DeadTransitionsAfterThePointOfNoReturnAreNamed) {
               "false), on (X1 stays false), trap (X0 stays false), wait (armed stays false)\n");
     const std::string untimed = notes(untimed_report_of(trap, "property again: always possible X1;"), "again");
     EXPECT_EQ(untimed,
-              "the condition is impossible from the last state of the trace\n"
+              "after the last state of the trace, the condition can never become true\n"
               "after this trace, these transitions are never cleared again: go, back (X1 stays false), on (X1 stays "
               "false), wait (armed stays false)\n");
 }

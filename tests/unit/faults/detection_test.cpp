@@ -169,7 +169,8 @@ TEST(FaultDetection, ProposesAPropertyThatRevealsAHiddenFault) {
     EXPECT_TRUE(std::ranges::any_of(row->minimal, [](const auto& cut) { return cut.faults == FaultSet{2}; }));
 }
 
-/// The loop declares the condition that would be proposed, in another form. Other conditions and states do not count.
+/// The loop already declares the condition that would be proposed, in an equivalent form.
+/// Declarations of other conditions, or for other states, do not count.
 TEST(FaultDetection, StatesADeclaredPropertyInsteadOfProposingIt) {
     for (const char* const text : {"never S1 && !S2 at stable", "never !S2 && S1 at stable",
                                    "always S1 => S2 at stable", "always !(S1 && !S2) at stable"}) {
@@ -192,7 +193,8 @@ TEST(FaultDetection, StatesADeclaredPropertyInsteadOfProposingIt) {
     }
 }
 
-/// With BLOCKED, the gate is never opened. Only the fault makes BLOCKED true; a second literal would be superfluous.
+/// If BLOCKED is true, the gate is never opened. Only the fault makes BLOCKED true; a second
+/// literal would be superfluous.
 TEST(FaultDetection, ProposesOneLiteralIfItIsTrueOnlyWithTheFault) {
     std::string text = driveway(
         "    plant Guard = unused(OUT = BLOCKED);\n    fault Guard_1 of Guard: stuck(VALUE = true);\n"

@@ -219,7 +219,8 @@ TEST(Faults, AFaultThatNeverOccursCannotEndADeadlock) {
     EXPECT_EQ(both->answers.front().verdict.outcome, Outcome::Holds);  // the model with both faults hides the deadlock
 }
 
-// Two switches turn the lamp off. The strict clock constraint of `a` leaves its verdict open.
+// Two switches turn the lamp off. The strict clock constraint of the fault `a` makes the verdict
+// with this fault unknown.
 TEST(Faults, MinimalityIsUnprovedIfASubsetIsUnknown) {
     const std::string text =
         "grafcet lamp {\n    input ON, A, B;\n    output LAMP;\n\n    initial step 0;\n    step 1 { LAMP; }\n\n"

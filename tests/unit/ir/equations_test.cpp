@@ -57,7 +57,7 @@ TEST(VerifyEquations, NamesEachBrokenInvariant) {
              {"the value of `LAMP` reads a firing condition",
               [](Small& s) { s.equations.outputs[0].value = s.leaf(s.fires); }},
              {"the activity of `X_1` is not Boolean", [](Small& s) { s.equations.steps[0].next = s.leaf(s.count); }},
-             {"the activity of `X_1` is wrongly typed inside",
+             {"the activity of `X_1` contains a type error",
               [](Small& s) {
                   s.equations.steps[0].next = s.equations.exprs.disjunction(
                       s.leaf(s.start), s.equations.exprs.conjunction(s.leaf(s.fires), s.leaf(s.count)));

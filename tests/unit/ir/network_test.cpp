@@ -59,12 +59,12 @@ TEST(Network, EachBrokenInvariantIsNamed) {
         {"template mover: no initial location", [](Network& n) { n.templates[{0}].initial = {7}; }},
         {"an edge leads to a location that does not exist", [&](Network& n) { edge(n, 0).to = {7}; }},
         {"its guard is not Boolean", [&](Network& n) { edge(n, 0).guard = n.exprs.integer(1); }},
-        {"its guard is wrongly typed inside",
+        {"its guard contains a type error",
          [&](Network& n) {
              edge(n, 0).guard = n.exprs.conjunction(n.exprs.leaf(Op::Parameter, 0), n.exprs.leaf(Op::Parameter, 1));
          }},
-        {"its guard is wrongly typed inside", [&](Network& n) { edge(n, 0).guard = n.exprs.leaf(Op::Parameter, 9); }},
-        {"its guard is wrongly typed inside", [&](Network& n) { edge(n, 0).guard = n.exprs.leaf(Op::Variable, 9); }},
+        {"its guard contains a type error", [&](Network& n) { edge(n, 0).guard = n.exprs.leaf(Op::Parameter, 9); }},
+        {"its guard contains a type error", [&](Network& n) { edge(n, 0).guard = n.exprs.leaf(Op::Variable, 9); }},
         {"an urgent edge has a clock constraint", [&](Network& n) { edge(n, 1).urgent = true; }},
         {"resets an unknown clock", [&](Network& n) { edge(n, 0).resets = {{4}}; }},
         {"calls an unknown procedure", [&](Network& n) { edge(n, 0).calls = {{0}}; }},
@@ -93,7 +93,7 @@ TEST(Network, EachBrokenInvariantIsNamed) {
              edge(n, 0).assignments = {{n.exprs.leaf(Op::Variable, 0),
                                         n.exprs.apply(Op::Less, n.exprs.leaf(Op::Variable, 1), n.exprs.integer(1))}};
          }},
-        {"property P: an operand is wrongly typed inside",
+        {"property P: an operand contains a type error",
          [](Network& n) { n.properties.add({.name = "P", .operands = {n.exprs.at(0, 5)}}); }},
         {"an operand is not Boolean",
          [](Network& n) { n.properties.add({.name = "P", .operands = {n.exprs.integer(5)}}); }},

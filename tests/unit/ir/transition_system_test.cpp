@@ -76,7 +76,7 @@ TEST(VerifyTransitionSystem, NamesEachBrokenInvariant) {
          [](Small& s) {
              std::get<System::StateSymbol>(s.inner().symbols[s.state].kind).initial = s.system.exprs.integer(1);
          }},
-        {"next is wrongly typed inside",
+        {"next contains a type error",
          [](Small& s) {
              std::get<System::StateSymbol>(s.inner().symbols[s.state].kind).next = s.system.exprs.leaf(Op::Variable, 9);
          }},
@@ -98,7 +98,7 @@ TEST(VerifyTransitionSystem, NamesEachBrokenInvariant) {
              s.system.properties[{0}].operands.clear();
          }},
         {"operand is not Boolean", [](Small& s) { s.system.properties[{0}].operands = {s.system.exprs.integer(1)}; }},
-        {"operand is wrongly typed inside",
+        {"operand contains a type error",
          [](Small& s) {
              const auto nested =
                  s.system.exprs.apply(Op::Less, s.system.exprs.leaf(Op::Variable, 0), s.system.exprs.integer(1));

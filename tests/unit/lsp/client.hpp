@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A client of the language server in the same process. It sends messages in arbitrary pieces and receives the
-// responses.
+// A client of the language server in the same process. The client sends messages in arbitrary
+// pieces and receives the responses.
 #pragma once
 
 #include <gtest/gtest.h>

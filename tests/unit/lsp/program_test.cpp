@@ -128,7 +128,7 @@ TEST(LspPrograms, HoverShowsTypeDeclarationAddressAndComment) {
 
 TEST(LspPrograms, ReferencesIncludeTheLoopsThatUseTheProgram) {
     Editor editor;
-    EXPECT_EQ(editor.references("press.st", with(press, "Move := Delay", "Mo@ve := Delay")), 4U);  // once in the loop
+    EXPECT_EQ(editor.references("press.st", with(press, "Move := Delay", "Mo@ve := Delay")), 4U);  // one is in the loop
     EXPECT_EQ(editor.references("press.st", with(press, "SUM := Sum", "SU@M := Sum")), 4U);
     EXPECT_EQ(editor.references("press.st", with(press, "State = Off", "State = O@ff")), 3U);
     EXPECT_EQ(editor.definition("loop.grafcet", with(loop, "never Move", "never Mo@ve")), "press.st:16");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A client of the MCP server in the same process. It sends lines and receives the messages of the server.
+// A client of the MCP server in the same process. The client sends lines and receives the messages
+// of the server.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -241,8 +241,8 @@ TEST(TuningPage, ShowsAMapOfTwoConstantsWithTheCurrentValues) {
     EXPECT_EQ(count_of(made.page, "aria-current"), 1U);
 }
 
-// The explanation of a run reads the property and the charts of its point. It shows independently of the engine that
-// the run violates the property at this point.
+// The explanation of a run reads the property and the charts of its point. The explanation shows,
+// independently of the engine, that the run violates the property at this point.
 void expect_runs_of_each_point(bool every_point) {
     const Made made = page_of_tuning(
         press_loop, {{"RAM", duration, 1000, 6000, 1000, 3000}, {"LIMIT", duration, 2000, 6000, 1000, 5000}}, 24,

@@ -62,7 +62,8 @@ Outcome outcome_of(const Report& report, std::string_view property) {
 }
 
 TEST(ProgramLoop, TimerChangesInTheScanInWhichItsTimeHasElapsed) {
-    // A change of Key is sampled within 10 ms, and the timer elapses in the third scan after this one.
+    // A change of Key is sampled within 10 ms, and the timer elapses in the third scan after this
+    // sampling.
     const Report report = report_of(loop_text("controller delay every 10ms;", R"(
     property late: Key leads to Lamp || !Key within 40ms;
     property soon: Key leads to Lamp || !Key within 39ms;

@@ -225,7 +225,7 @@ TEST(PublicApi, ViolationsOfEveryFormAreExplainedEventByEvent) {
     const std::vector<std::pair<std::string, std::string>> expected = {
         {"within", "`LAMP` at 1 s; deadline 4 s; `!LAMP` not true by then"},
         {"holds_for", "`LAMP` from 1 s; required until 6 s; false at 5 s"},
-        {"holds_at_most", "`LAMP` from 1 s; deadline 4 s; `LAMP` still true after it"},
+        {"holds_at_most", "`LAMP` from 1 s; deadline 4 s; `LAMP` still true after the deadline"},
         {"since", "`BUTTON` false from 2 s on; `LAMP` allowed until 4 s; `LAMP` at 5 s"},
         {"every", "no `LAMP` from 0 s; deadline 5 s; `LAMP` not true by then"},
         {"precedes", "`BUTTON` at 1 s; `LAMP` not true before"},
@@ -247,7 +247,8 @@ TEST(PublicApi, ViolationsOfEveryFormAreExplainedEventByEvent) {
         {"within_after", "`BUTTON` at 1 s; `X1` at 1 s; deadline 3 s; `X2` not true by then"},
         {"within_between", "`X1` at 1 s; `X1` at 1 s; deadline 3 s; `X0` not true by then; `X0` at 7 s"},
         {"every_between", "`X1` at 1 s; no `X2` from 1 s; deadline 4 s; `X2` not true by then; `X0` at 7 s"},
-        {"at_most_between", "`X1` at 1 s; `X1` from 1 s; deadline 4 s; `X1` still true after it; `X0` at 7 s"},
+        {"at_most_between",
+         "`X1` at 1 s; `X1` from 1 s; deadline 4 s; `X1` still true after the deadline; `X0` at 7 s"},
         {"once", "`LAMP` at 1 s; `LAMP` at 7 s; more than once"},
         {"once_after", "`LAMP` at 1 s; `X2` at 5 s; `X2` at 11 s; more than once"}};
     const ParseResult reading = read_string(forms, "forms.grafcet");

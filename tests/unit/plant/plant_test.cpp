@@ -194,7 +194,7 @@ TEST(Plant, TheDurationThatMakesTheUnitFineIsFound) {
         EXPECT_EQ(found->duration_ms, c.duration);
         EXPECT_EQ(found->coarser_ms, c.coarser);
         EXPECT_EQ(found->unit_ms, station.build().value().time_unit_ms);
-        // If the finest duration is replaced by the proposed one, the time unit must be the coarser one.
+        // If the finest duration is replaced by `coarser_ms`, the time unit must be `coarser_ms`.
         for (const std::uint32_t cylinder : {0U, 1U})
             if (std::get<std::int64_t>(station[cylinder].arguments[4]) == c.duration)
                 station[cylinder].arguments[4] = c.coarser;

@@ -132,7 +132,7 @@ TEST(TraceRows, SplitsACycleIfThePlantMovesDuringIt) {
     drive.fire("Go");
     drive.fire("PLC", "P0");
     drive.fire("PLC", "P1");
-    drive.fire("Go");  // this resets GO too late
+    drive.fire("Go");  // GO is reset too late, after the inputs were sampled
     drive.fire("PLC", "P2");
     drive.fire("Go");  // this event is between the evolution and the outputs
     drive.exhaust("PLC");

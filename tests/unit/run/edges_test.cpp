@@ -105,7 +105,7 @@ TEST(Events, RunTheirActionOncePerEdgeWhileTheStepIsActive) {
     run(chart, "a");
     EXPECT_EQ(value(chart, "N"), 1);
     run(chart);
-    run(chart, "a b");  // the step is active when the edge occurs, although it is left
+    run(chart, "a b");  // the step is active when the edge occurs, although the step is then left
     EXPECT_EQ(value(chart, "N"), 2);
     EXPECT_EQ(situation(chart), "1");
 }

@@ -331,7 +331,8 @@ TEST(TimeConditions, HoldFromTheirDurationOnWhileTheStepIsActive) {
 }
 
 TEST(TimeConditions, RestartIfTheStepIsReactivatedWithinOneInstant) {
-    // The pulse chart generates one pulse every 5 s. It does not pulse continuously after the first 5 s.
+    // The pulse chart generates one pulse every 5 s; the chart does not pulse continuously after
+    // the first 5 s.
     Play chart = play("initial step 1; step 2; transition t1: 1 -> 2 when 5s/X1; transition t2: 2 -> 1 when true;");
     run(chart);
     wait(chart, 5000);

@@ -64,7 +64,7 @@ TEST(LiftCar, KeepsItsFloorHalfWayAndComesBack) {
     EXPECT_EQ(only(car, "LEVEL"), 0);
     car.set("UP", 1);
     car.wait(1);
-    car.set("DOWN", 1);  // both orders are given
+    car.set("DOWN", 1);  // the orders UP and DOWN are both true
     car.wait(5);
     EXPECT_EQ(only(car, "FLOOR"), 1);
     EXPECT_EQ(only(car, "LEVEL"), 1);

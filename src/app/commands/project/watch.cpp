@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `watch`: executes another command, and executes it again whenever its inputs change. Each execution is a separate
-// process, so that a crash of the command does not end this process. This process first reads the inputs and then polls
-// them.
+// process, so that a crash of the command does not end this process. The process of `watch` first
+// reads the inputs and then polls them.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -103,8 +103,8 @@ std::optional<ChildEnd> run_once(const Command& command, const FileWatcher& seen
     return {};
 }
 
-/// Waits for a change. Then, if an editor has moved a file away, waits at most `save_timeout` until the file exists
-/// again.
+/// Waits for a change and then, if an editor has moved a file away, at most `save_timeout` until
+/// the file exists again.
 void wait_for_change(const FileWatcher& seen, const std::atomic<bool>& end_requested) {
     while (!end_requested && !seen.changed()) std::this_thread::sleep_for(poll_interval);
     for (const auto end = steady_clock::now() + save_timeout;

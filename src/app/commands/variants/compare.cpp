@@ -18,7 +18,8 @@ namespace grafverif::app {
 
 namespace {
 
-/// Returns the initial situations: `3,5` is the situation of both charts; in `3,5:W3,W5`, each chart has its own.
+/// Returns the initial situations: `3,5` is the situation of both charts; `3,5:W3,W5` gives a
+/// separate situation for each chart.
 std::array<std::vector<Id<Chart::Step>>, 2> beginnings(const Chart& a, const Chart& b, CommandContext& job) {
     if (!job.options.from_situation) return {};
     const std::string_view requested = *job.options.from_situation;
@@ -34,8 +35,8 @@ struct ComparedFile {
     CompareOperand operand = {};
 };
 
-/// Reads a file to compare. `file.operand` contains a pointer into `file`, so that `file` must not move afterwards.
-/// Returns false after an error.
+/// Reads a file to compare. `file.operand` contains a pointer into `file`; therefore, `file` must
+/// not be moved afterwards. Returns false after an error.
 bool read_compared(const std::string& path, CommandContext& job, ComparedFile& file) {
     const auto source = read_source(path, job);
     if (!source) return false;

@@ -107,9 +107,9 @@ std::chrono::milliseconds each_of(const Options& options) {
     return std::chrono::milliseconds(options.mutant_timeout_ms.value_or(60'000));
 }
 
-/// The results of a previous run and of this run. write_files replaces the file at the start, so that an unwritable
-/// file is rejected before mutants are checked. During the run, write_files replaces the file at most once per second,
-/// and finally at the end.
+/// The results of a previous run and of this run. write_files replaces the state file at the start,
+/// so that an unwritable file is rejected before mutants are checked. During the run, write_files
+/// replaces the file at most once per second, and finally at the end.
 class StateFile {
 public:
     explicit StateFile(const Options& options)
@@ -147,7 +147,7 @@ public:
         try {
             save();
         } catch (const std::system_error&) {
-            // If saving fails again at the end, the error is reported then.
+            // If saving also fails at the end of the run, the error is reported at that time.
             next_save_ = std::chrono::steady_clock::now() + between_saves;
         }
     }
@@ -272,9 +272,9 @@ private:
     std::size_t done_ = 0;
 };
 
-/// Writes the text and the drawing of the original, and the text of each mutant that no property detects. For each of
-/// these mutants, a drawing of the original and a drawing of the mutant mark the elements that the other drawing does
-/// not contain. Returns false after an error.
+/// Writes the text and the drawing of the original, and the text of each mutant that no property
+/// detects. For each undetected mutant, a drawing of the original and a drawing of the mutant mark
+/// the elements that the other drawing does not contain. Returns false after an error.
 bool write_survivors(const Mutation& mutation, const MutantChecker& bench, const Model& model, Id<Chart> chart,
                      const std::string& original, CommandContext& job, const Streams& streams) {
     if (!job.options.survivors) return true;

@@ -34,7 +34,7 @@ ExitCode exit_code(const Tuning& tuning) {
 /// For each property: maximum number of points whose runs are in the HTML report.
 constexpr std::size_t most_shown_runs = 24;
 
-/// Returns the HTML report. The models of the points with runs are read again.
+/// Returns the HTML report. For each point that has runs, the model is read again.
 std::string page_about(const Model& model, Id<ClosedLoop> loop, Tuning&& tuning, const CommandContext& job) {
     PageContent content = drawn_content(model, job.sources, loop);
     content.report.model = tuning.model;

@@ -53,8 +53,8 @@ public:
     }
     /// Adds a state. Requires that the last call of `find` was for this state.
     void add(std::uint32_t state);
-    /// False if, after at least 65,536 calls of `find`, less than 1/16 of the calls have found a state. The covering
-    /// then costs more than it saves.
+    /// False if, after at least 65,536 calls of `find`, less than 1/16 of the calls have found a state. In this case,
+    /// the covering costs more than it saves.
     bool is_useful() const { return searched_ < (1U << 16U) || covered_ >= searched_ / 16; }
     std::size_t bytes() const;
 

@@ -10,8 +10,8 @@ namespace grafverif::timed {
 namespace {
 
 constexpr std::size_t first_slots = 32;
-constexpr std::uint32_t pairs_fetched_ahead = 32;  // `rebuild` prefetches the pair of the slot that is this number of
-                                                   // slots ahead
+// `rebuild` prefetches the pair of the slot that is this number of slots ahead.
+constexpr std::uint32_t pairs_fetched_ahead = 32;
 // Minimum number of bits of a slot for the number of a pair. The remaining at most 20 bits of the slot contain the
 // print, which consists of bits of the hash; other bits of the hash select the slot.
 constexpr unsigned least_number_bits = 12;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Hand-written networks for the tests of the UPPAAL emitter. They are small and contain one element of each kind.
+// Hand-written networks for the tests of the UPPAAL emitter. The networks are small and contain one
+// element of each kind.
 #pragma once
 
 #include <initializer_list>
@@ -44,8 +45,9 @@ struct Hand {
     }
 };
 
-/// Returns a station: a cylinder with two position sensors that start at different ends, and a push button. Its chart
-/// has two steps with a timer and a stored action, in the phased grain. There is one property of each pattern.
+/// Returns a station: a cylinder with two position sensors that start at different ends, and a push
+/// button. The chart of the station has two steps with a timer and a stored action, in the phased
+/// grain. There is one property of each pattern.
 Network station();
 
 /// Returns two templates and three processes whose names are all UPPAAL keywords or names of other entities.
