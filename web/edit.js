@@ -29,7 +29,7 @@ const operations = [
     {key: "Ctrl+C", words: "Copy", run: (page) => page.copy(), of: ["step"], effect: "copy the marked steps, or the selected step, with their transitions"},
     {key: "Ctrl+V", words: "Paste", run: (page) => page.paste(), of: ["step", "transition"], effect: "paste the copied steps, with new names, as an alternative branch"},
     {key: "k", operation: "macro", words: "Macro-step", of: ["step", "transition"], effect: "add a macro-step after the element, with an expansion"},
-    {key: "g", operation: "enclosing", words: "Enclosing step\u2026", of: ["step", "transition"], effect: "add an enclosing step after the element, with a partial chart", field: "Name of the partial chart that it encloses"},
+    {key: "g", operation: "enclosing", words: "Enclosing step\u2026", of: ["step", "transition"], effect: "add an enclosing step after the element, with a partial chart", field: "Name of the enclosed partial chart"},
     {key: "c", operation: "partial", words: "Partial chart\u2026", of: ["step", "transition"], effect: "add a partial chart", field: "Name of the new partial chart", chart: true},
     {key: "v", operation: "declare", words: "Variable\u2026", of: ["step", "transition"], effect: "declare an input, an output or an internal variable", field: "Name, or name and type such as n: int 0..3", chart: true, kinds: ["input", "output", "internal"]},
     {key: "Delete", operation: "delete", words: "Delete", of: ["step", "transition", "action"], effect: "delete the element and reconnect its links"},
@@ -37,7 +37,7 @@ const operations = [
 
 const general_keys = [
     ["arrow keys", "select the next element in this direction"], ["Home", "select the first element"],
-    ["Esc", "end editing in place or the choice of a target; otherwise select nothing"],
+    ["Esc", "end editing in place or the choice of a target; otherwise clear the selection"],
     ["Ctrl+Z", "undo"], ["Ctrl+Y, Ctrl+Shift+Z", "redo"], ["Ctrl+S", "save the file"],
     ["/", "find a step or a variable in the drawing"], ["+, -, 0, F", "zoom in, zoom out, original size, fit the drawing"],
     ["Ctrl+wheel", "zoom"], ["drag, Shift+arrow keys", "move the drawing"], ["Ctrl+E", "change between drawing and text"], ["F1", "show this table"],

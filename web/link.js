@@ -22,7 +22,7 @@ async function copy(text) {
 export function linkButton(address) {
     const words = "Copy link";
     const button = make("button", {type: "button", title: "Copy the address of this state", "aria-live": "polite", onclick: async () => {
-        button.textContent = await copy(address()) ? "\u2713 Copied" : "Copy the address bar";
+        button.textContent = await copy(address()) ? "\u2713 Copied" : "Copy from the address bar";
         setTimeout(() => { button.textContent = words; }, 2000);
     }}, words);
     return button;

@@ -571,7 +571,7 @@ class RecordingVerdict:
         self.output: str | None = deviation and deviation["output"]  #: the output that deviates
         #: for each clock of `skew`: `columns`, `bound`, and the range `low`, `high` of its offset in seconds
         self.offsets: list[dict[str, Any]] = document["offsets"]
-        #: the timing that explains most of the recording
+        #: the timing that agrees with the longest part of the recording
         self.trace = Trace(deviation["trace"], *next(traces)) if deviation else None
         self.document = document
 

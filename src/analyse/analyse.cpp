@@ -318,8 +318,8 @@ void add_notes(const Equations& equations, const AnalyseOptions& options, Analys
             "durations are not detected");
     if (std::ranges::any_of(result.findings, is_break, &Finding::code))
         result.notes.emplace_back(
-            "the exploration stops at races, contradictory orders and out-of-range values; elements reported as dead "
-            "are dead in all runs without these errors");
+            "the exploration stops at races, contradictory forcing orders, and undefined or out-of-range values; "
+            "elements reported as dead are dead in all runs without these errors");
     if (!equations.assumptions.empty() || !options.exclusions.empty())
         result.notes.push_back("inputs are restricted by " + std::to_string(equations.assumptions.size()) +
                                " constraints and " + std::to_string(options.exclusions.size()) + " exclusions");

@@ -145,7 +145,7 @@ bool ChartAnalyzer::show(Finding& finding, const std::optional<Path>& path, cons
     if (!last_.failure.empty()) {
         if (certain)
             result_.failures.push_back("the trace of `" + finding.code + "` on `" + finding.subject +
-                                       "` fails the replay: " + last_.failure);
+                                       "` cannot be replayed: " + last_.failure);
         return certain;
     }
     finding.evidence_shows = std::move(shows);

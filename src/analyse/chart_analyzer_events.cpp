@@ -32,7 +32,7 @@ void ChartAnalyzer::instability() {
         return uncertain_.push_back(question);
     const auto loop = last_.endless.size();
     made.message = "with some inputs, the situation never becomes stable";
-    if (loop > 0) made.message += "; " + std::to_string(loop) + " situations follow each other forever";
+    if (loop > 0) made.message += "; the situations repeat in a cycle of length " + std::to_string(loop);
     made.message += "; make a transition of the cycle wait for an input change";
     for (const Id<Chart::Transition> id : chart_.transitions.ids())
         if (!(endless & machine_.fires(id.index)).is_false())
@@ -195,7 +195,7 @@ bool ChartAnalyzer::report_reactivated(Step step, const Bdd& seen) {
     for (const Transition id : chart_.transitions.ids()) {
         if (std::ranges::find(chart_.transitions[id].to, step) == chart_.transitions[id].to.end()) continue;
         if ((seen & machine_.fires(id.index)).is_false()) continue;
-        made.related.push_back({chart_.transitions[id].origin, "`" + name(id) + "` activates it"});
+        made.related.push_back({chart_.transitions[id].origin, "`" + name(id) + "` activates the step"});
         if (demand.fired.empty()) demand.fired.push_back(id);
     }
     const Bdd goal = seen & machine_.fires(demand.fired.front().index);
@@ -210,10 +210,10 @@ void ChartAnalyzer::expect_forcing() {
         expect("forced-twice", k, machine_.conflicts()[k], [this, k](const Bdd& seen) {
             const std::string partial = conflict_subject(chart_, equations_, equations_.conflicts[k]);
             Finding made = finding("forced-twice", partial,
-                                   "this order and another order that is active at the same time can force `" +
+                                   "this and another forcing order that are active at the same time can force `" +
                                        partial + "` into different situations",
                                    equations_.conflicts[k].origin);
-            return show(made, seen, {.fault = true}, "both orders become active") && keep(std::move(made));
+            return show(made, seen, {.fault = true}, "both forcing orders become active") && keep(std::move(made));
         });
     }
     const auto governed = orders_on_enclosed(chart_);
@@ -226,7 +226,7 @@ void ChartAnalyzer::expect_forcing() {
                    const std::string& partial = chart_.partial_charts[forcing.forced].name;
                    Finding made = finding("forced-and-enclosed", partial,
                                           "`" + partial + "` can be forced by `" + step_name(forcing.step) +
-                                              "` while `" + step_name(step) + "`, which encloses it, is active",
+                                              "` while its enclosing step `" + step_name(step) + "` is active",
                                           forcing.origin);
                    made.related.push_back({chart_.steps[step].origin, "`" + step_name(step) + "` is here"});
                    return show(made, seen, {.ends = false}, "both steps are active") && keep(std::move(made));

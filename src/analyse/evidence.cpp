@@ -153,7 +153,7 @@ private:
     }
 
     void fail(std::size_t instant, const std::string& what) {
-        result_.failure = "instant " + std::to_string(instant + 1) + ": according to the rules, " + what;
+        result_.failure = "instant " + std::to_string(instant + 1) + ": under the rules of IEC 60848, " + what;
     }
 
     void add_row(std::string what, const Fired& fired) {

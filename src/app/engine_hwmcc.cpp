@@ -97,7 +97,8 @@ pdr::PdrAnswer query_command(const std::string& command, const HwmccQuery& quest
     if (!reached) no_result(program_result);
     if (*reached) return question.reached(program_result.out);
     throw Undecided{UnknownReason::Unchecked,
-                    "unchecked: the program reports the state as unreachable, but prints no certificate to check"};
+                    "unchecked: the program reports that no run reaches the target state, but prints no certificate to "
+                    "check"};
 }
 
 }  // namespace

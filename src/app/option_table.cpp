@@ -39,7 +39,7 @@ template <class Place>
 Option text(OptionGroup accepts, const char* name, const char* value, Place place, const char* help) {
     const auto take = [place, option = Option{accepts, name}.long_name()](const auto& given, Options& options) {
         std::invoke(place, options) = given.front();
-        return given.front().empty() ? fmt::format("the value of `--{}` is empty", option) : std::string();
+        return given.front().empty() ? fmt::format("the value of `--{}` is empty; pass one", option) : std::string();
     };
     return {accepts, name, value, help, take};
 }
@@ -147,7 +147,8 @@ std::vector<Option> options_for_models() {
              "write the files into DIR (default: ./NAME.grafverif, which is created if missing)"),
         text(OptionGroup::OutputDirectory, "name", "NAME", &Options::name,
              "name the files NAME.xml, NAME.q, NAME.smv (default: name of the loop)"),
-        toggle(OptionGroup::All, "all", &Options::all, "process every closed loop of FILE (`analyse`: every chart)"),
+        toggle(OptionGroup::All, "all", &Options::all,
+               "process every closed loop of each FILE (`analyse`, or `check` without closed loops: every chart)"),
         choice<Target>(OptionGroup::Target, "target", {{"uppaal", Target::Uppaal}, {"nusmv", Target::Nusmv}},
                        &Options::target, "write only the model for this program (default: both models)"),
         text(OptionGroup::Loop, "loop", "NAME", &Options::loop,
@@ -324,12 +325,12 @@ std::vector<Option> options_for_checks() {
         number(OptionGroup::Search, "max-steps", "N", {}, &Options::max_steps,
                "maximum trace length of engine bmc, in steps (default: 100)"),
         toggle(OptionGroup::Stats, "stats", &Options::stats,
-               "print the components and clocks that contribute most states (timed engine)"),
+               "print the components and clocks that contribute the most states (timed engine)"),
         text(OptionGroup::ProgramProperties, "properties", "FILE", &Options::property_file,
              "check each FILE operand as a PLC program (Structured Text, PLCopen XML) against the properties in this "
              "YAML file"),
         text(OptionGroup::Verdicts, "certificate", "DIR", &Options::certificate,
-             "write a certificate of the verdicts into DIR, which other programs check (see `grafverif-certify`)"),
+             "write a certificate of the verdicts into DIR; other programs can check it (see `grafverif-certify`)"),
         text(OptionGroup::Verdicts, "report", "FILE", &Options::page,
              "write an HTML report to FILE, as `report` does, with the type of certificate of each verdict"),
         toggle(OptionGroup::Verdicts, "why", &Options::why,
@@ -400,7 +401,7 @@ std::vector<Option> options_for_checks() {
              "the clock of these columns differs from the clock of the other columns by an unknown "
              "constant offset of at most TIME; repeatable"),
         list(OptionGroup::Recording, "map", "COLUMN=NAME", &Options::renamings,
-             "the column COLUMN of the log contains the input or output NAME; repeatable"),
+             "the column COLUMN of the log contains the values of the input or output NAME; repeatable"),
         number(OptionGroup::Mutants, "limit", "N", {}, &Options::limit, "check at most N mutants (default: all)"),
         number(OptionGroup::Mutants, "seed", "SEED", {}, &Options::seed,
                "seed for the random selection of the mutants by --limit (default: 1)"),

@@ -73,7 +73,7 @@ std::string validate_outputs(const CliCommand& verb, const Options& options) {
     if (options.name && (options.name->empty() || options.name->find('/') != std::string::npos))
         return fmt::format("invalid value `{}` of `--name`; use a file name without a folder", *options.name);
     if (options.all && (options.loop || options.chart))
-        return "`--all` and `--loop` or `--chart` are mutually exclusive; remove one";
+        return "`--all` cannot be combined with `--loop` or `--chart`; remove `--all` or the other options";
     if (options.all_modes && options.mode) return "`--all-modes` and `--mode` are mutually exclusive; remove one";
     if (options.depfile_target && !options.depfile) return "`--depfile-target` requires `--depfile`; add it";
     if (options.depfile_reader && !options.depfile) return "`--depfile-format` requires `--depfile`; add it";
@@ -142,7 +142,7 @@ std::string validate_combinations(const CliCommand& verb, const Options& options
     if (options.max_steps && !bounded)
         return "`--max-steps` applies only to `--engine bmc` and `--engine auto`; remove it or select one of these "
                "engines";
-    if (options.events.from > options.events.to) return "`--from` is greater than `--to`; exchange them";
+    if (options.events.from > options.events.to) return "`--from` is greater than `--to`; exchange the values";
     if (options.keep_going && options.stop_on_failure)
         return "`--stop-on-failure` and `--keep-going` are mutually exclusive; remove one";
     if (options.limit == 0) return "invalid value of `--limit`; use a number of at least 1";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Saturation (Ciardo, Luettgen, Siminiscu 2001): computes the reachable states of a disjunctively partitioned
+// Saturation (Ciardo, Luettgen, Siminiceanu 2001): computes the reachable states of a disjunctively partitioned
 // transition relation. The algorithm is efficient if each cluster of the relation reads and writes only few variables.
 // A set is closed if no step leaves it. A diagram is closed bottom-up. First, each subdiagram is closed under the steps
 // that concern only variables below the top variable of the diagram. Then, the complete diagram is closed under the

@@ -212,7 +212,7 @@ std::string check(const std::filesystem::path& folder, const std::string& prefix
             if (by_states && !by_subsystems && !graph) reject("no states prove `" + property.name + "`");
             if (by_states && !by_subsystems) graph->check(property);
             else if (!by_states && !shows(read_run(words, semantics), property, semantics))
-                reject("the run of `" + property.name + "` does not prove its verdict");
+                reject("the run of `" + property.name + "` does not prove the verdict");
             result +=
                 prefix + property.name + ": " + kind + (by_states ? ", proved by the states\n" : ", shown by a run\n");
         } else words.fail("unknown line");

@@ -41,7 +41,7 @@ struct Semantics {
                 const bool own = is_known(of.processes[p].place);
                 bool acts =
                     std::ranges::any_of(edge.assignments, changes) || std::ranges::any_of(edge.resets, is_known);
-                if (subsystem && !own && acts) reject("an edge concerns several subsystems");
+                if (subsystem && !own && acts) reject("an edge of another subsystem changes a value of this subsystem");
                 acts = acts || of.terms[edge.guard].low == unknown || std::ranges::any_of(edge.assignments, errs);
                 if (own || (acts && !subsystem)) edges_.emplace_back(p, &edge);
                 if (edge.urgent && (own || reacting.contains(p))) urgent_.emplace_back(p, &edge);

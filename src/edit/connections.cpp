@@ -136,8 +136,8 @@ std::vector<TextEdit> Connections::without_step(const tree::Step& step, std::str
             continue;
         }
         if (is_before && is_after) {
-            obstacle = fmt::format("{} begins and ends at step `{}` and at other steps; change it first", title(*each),
-                                   file_.text(name));
+            obstacle = fmt::format("{} begins and ends at step `{}` and at other steps; change the transition first",
+                                   title(*each), file_.text(name));
             return {};
         }
         if (is_before) before.push_back(each);

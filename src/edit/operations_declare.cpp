@@ -68,8 +68,8 @@ void Planner::drive(const Declared& input) {
         if (!is_controlled) continue;
         if (input.has_index) {
             obstacle_ = fmt::format(
-                "`{}` has an index, and closed loop `{}` controls the chart; declare the input and its environment in "
-                "the text",
+                "`{}` has an index, and closed loop `{}` uses the chart as a controller; declare the input and its "
+                "environment in the text",
                 input.name, file_.text(loop->name));
             return;
         }

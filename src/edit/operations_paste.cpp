@@ -266,7 +266,8 @@ void Planner::reject_other_steps(const std::set<std::string>& variables, std::st
         const std::string name = variable.substr(dot == std::string::npos ? 1 : dot + 2);
         if (steps.contains(name))
             obstacle_ = fmt::format(
-                "the copied text reads `{}`, which can be another step here; copy step `{}` too, or edit the text",
+                "the copied text contains `{}`, which may refer to another step here; copy step `{}` too, or edit the "
+                "text",
                 variable, name);
     }
 }

@@ -105,7 +105,8 @@ std::string standstill_words(const Network& network, const Standstill& found) {
     for (const Id<Network::Process> id : found.repeating)
         text += fmt::format("{}`{}`", text.empty() ? "" : ", ", names[id.index]);
     if (text.empty()) return {};
-    return "edges of " + text + " repeat forever within one instant; let one of them wait, for example for a clock";
+    return "edges of " + text +
+           " repeat forever within one instant; make one of these edges wait, for example for a clock";
 }
 
 }  // namespace grafverif

@@ -147,7 +147,7 @@ void check_transitions(const Chart& chart, ChartFaults& faults) {
                              "transition " + transition.name + " links a step that does not exist");
                 if (chart.steps.contains(step))
                     faults.check(chart.steps[step].chart == transition.chart,
-                                 "transition " + transition.name + " leaves its partial chart");
+                                 "transition " + transition.name + " links a step of another partial chart");
             }
         };
         check_side(transition.from);
@@ -196,7 +196,7 @@ void check_actions(const Chart& chart, ChartFaults& faults) {
         faults.check(chart.partial_charts.contains(order.forced), "a forcing order forces no partial chart");
         for (const auto step : order.situation)
             faults.check(chart.steps.contains(step) && chart.steps[step].chart == order.forced,
-                         "a forcing order names a step of another chart");
+                         "a forcing order names a step outside the forced partial chart");
     }
 }
 

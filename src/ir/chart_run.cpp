@@ -45,7 +45,7 @@ void check(const ChartRun& run, const ChartRun::Event& moment, const std::string
                        (!moment.timer.valid() || run.timers.contains(moment.timer)) &&
                        are_in(moment.changed, run.signals) &&
                        std::ranges::all_of(moment.acts, [&](const ChartRun::Act& act) { return is_known(run, act); });
-    if (!known) faults.push_back(where + ": it refers to an unknown element");
+    if (!known) faults.push_back(where + ": refers to an unknown element");
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ std::vector<Id<ChartRun::Signal>> signals_of(const ChartRun& run, ChartRun::Role
 std::vector<std::string> verify(const ChartRun& run) {
     std::vector<std::string> faults;
     for (const ChartRun::Controller& controller : run.controllers)
-        if (!is_known(run, controller)) faults.push_back(controller.name + ": it refers to an unknown element");
+        if (!is_known(run, controller)) faults.push_back(controller.name + ": refers to an unknown element");
     if (run.moments.empty()) faults.emplace_back("the power-on event is missing");
     std::int64_t time = 0;
     for (std::size_t i = 0; i < run.moments.size(); ++i) {
@@ -90,16 +90,16 @@ std::vector<std::string> verify(const ChartRun& run) {
         last_moment = row.moment;
     }
     if (run.loop && (*run.loop == 0 || *run.loop > run.moments.size()))
-        faults.emplace_back("the loop has no first event");
+        faults.emplace_back("the first event of the loop is invalid");
     if (run.loop_from && (*run.loop_from == 0 || *run.loop_from >= run.rows.size()))
-        faults.emplace_back("the loop has no first row");
+        faults.emplace_back("the first row of the loop is invalid");
     for (const ChartRun::Cause& cause : run.causes) {
         const bool known = (!cause.signal.valid() || run.signals.contains(cause.signal)) &&
                            (!cause.step.valid() || run.steps.contains(cause.step)) &&
                            (!cause.instance.valid() || run.instances.contains(cause.instance)) &&
                            (!cause.timer.valid() || run.timers.contains(cause.timer));
         if (!known || cause.first > cause.last || cause.last >= run.moments.size())
-            faults.emplace_back("a cause refers to an unknown element");
+            faults.emplace_back("a cause refers to an unknown element or has invalid events");
     }
     if (!run.left_out.empty() && run.left_out.back() >= run.moments.size())
         faults.emplace_back("`left_out` refers to an unknown event");

@@ -88,7 +88,7 @@ void check_clocks(ComponentChecker& checker, const std::vector<Component::ClockC
         checker.check(checker.component.clocks.contains(constraint.clock), "a clock constraint has no clock");
         checker.is(constraint.bound, Sort::Duration, "the bound of a clock");
         checker.check(is_comparison(constraint.relation) && constraint.relation != Op::NotEqual,
-                      "a clock constraint has no relation");
+                      "a clock constraint has an invalid relation");
     }
 }
 
@@ -110,7 +110,7 @@ void check_edges(ComponentChecker& checker) {
     const Component& component = checker.component;
     for (const Component::Edge& edge : component.edges) {
         checker.check(component.locations.contains(edge.from) && component.locations.contains(edge.to),
-                      "an edge links locations that do not exist");
+                      "an edge links a location that does not exist");
         checker.is(edge.guard, Sort::Boolean, "a guard");
         checker.check(!edge.urgent || edge.constraint.empty(), "an urgent edge has a clock constraint");
         check_clocks(checker, edge.constraint);

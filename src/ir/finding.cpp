@@ -34,18 +34,19 @@ constexpr std::array kinds = {
     FindingKind{"step-never-active", Level::Warning, "A step is not active in any reachable situation."},
     FindingKind{"transition-never-fired", Level::Warning, "A transition is never cleared."},
     FindingKind{"output-never-set", Level::Warning, "An output always has its initial value."},
-    FindingKind{"statement-never-executed", Level::Warning, "A statement of a PLC program is executed in no scan."},
+    FindingKind{"statement-never-executed", Level::Warning, "A statement of a PLC program is never executed."},
     FindingKind{"condition-never-true", Level::Warning,
                 "A condition of a branch or loop of a PLC program is never true."},
     FindingKind{"condition-always-true", Level::Warning,
-                "A condition of a branch or loop of a PLC program is true in each execution."},
+                "A condition of a branch or loop of a PLC program is true in each evaluation."},
     FindingKind{"assignment-overwritten", Level::Warning,
-                "A PLC program assigns an output, and always assigns it again in the same scan before it reads it."},
+                "A PLC program assigns an output, and always assigns the output again in the same scan before reading "
+                "it."},
     FindingKind{
         "block-never-called", Level::Warning,
-        "An instance of a function block, a function, an action or a second program of a PLC program is never called."},
+        "In a PLC program, a function block instance, a function, an action or a second program is never called."},
     FindingKind{"variable-never-assigned", Level::Warning,
-                "A PLC program reads a variable, or outputs it, but no statement assigns it."},
+                "A PLC program reads or outputs a variable that no statement assigns."},
     FindingKind{
         "read-before-assignment", Level::Warning,
         "A PLC program reads a temporary variable, or a variable of a function, before it assigns the variable in "
@@ -58,7 +59,7 @@ constexpr std::array kinds = {
     FindingKind{"value-sticks", Level::Warning,
                 "A stored value can change repeatedly, but from some situation on it can never change again."},
     FindingKind{"region-never-left", Level::Warning,
-                "The chart cannot leave a set of situations, although every step can become active in this set."},
+                "The chart can reach a set of situations that it can never leave."},
     FindingKind{
         "comes-once", Level::Note,
         "A step is active or a transition is cleared at most once in a run, or a value changes at most once after "
@@ -105,7 +106,7 @@ std::vector<std::string> verify(const Analysis& analysis) {
         if (std::ranges::find(kinds, question.code, &FindingKind::code) == kinds.end())
             faults.push_back("an open question has the unknown code `" + question.code + "`");
     if (analysis.open.empty() != analysis.obstacle.empty())
-        faults.push_back("only one of the open questions and the reason for them is present");
+        faults.push_back("there are open questions without a reason, or a reason without open questions");
     return faults;
 }
 

@@ -35,8 +35,8 @@ struct TestSequenceCheck {
         if (sequence.activation) {
             step(*sequence.activation);
             if (sequence.activation->inputs != sequence.steps.front().inputs)
-                fault("an activation has other inputs than the first step");
-            if (sequence.activation->cycles != 1) fault("an activation lasts more or less than one scan");
+                fault("the inputs of an activation differ from the inputs of the first step");
+            if (sequence.activation->cycles != 1) fault("an activation does not last exactly one scan");
         }
         if (sequence.steps.front().wait_ms != 0) fault("the first step of a sequence waits");
         const Step* before = nullptr;
@@ -70,7 +70,8 @@ std::vector<std::string> verify(const TestSequence& test) {
     TestSequenceCheck check{test};
     if (test.sequences.empty()) check.fault("the test has no sequence");
     for (const TestSequence::Sequence& sequence : test.sequences) check.sequence(sequence);
-    if (test.covered > test.to_cover) check.fault("the number of covered elements exceeds the number of elements");
+    if (test.covered > test.to_cover)
+        check.fault("the number of covered elements exceeds the number of elements to cover");
     if (test.lower_bound > step_count(test)) check.fault("the lower bound exceeds the length");
     if (test.proven_least && test.lower_bound != step_count(test))
         check.fault("the length is declared minimal but differs from its lower bound");

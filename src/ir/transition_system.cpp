@@ -27,7 +27,7 @@ Sorts sorts_in(const Exprs& exprs, const System::Module& module) {
 void check_member(const System& system, bool in_main, const System::Symbol& symbol, const System::MemberSymbol& member,
                   Faults& faults) {
     const std::string where = "`" + symbol.name + "`";
-    if (!in_main) return faults.push_back(where + " refers to a symbol of an instance, but is not in main");
+    if (!in_main) return faults.push_back(where + " refers to a symbol of an instance, but is not in the main module");
     if (!system.instances.contains(member.instance)) return faults.push_back(where + " names no instance");
     const Id<System::Module> module = system.instances[member.instance].module;
     if (!system.modules.contains(module) || !system.modules[module].symbols.contains(member.symbol))
@@ -237,7 +237,7 @@ void check_choices(const System& system, Faults& faults) {
 void check_names(const System& system, Sorts& sorts, Faults& faults) {
     const Table<System::Symbol>& symbols = system.modules[system.main].symbols;
     const auto known = [&](Id<System::Symbol> symbol, const std::string& where) {
-        if (!symbols.contains(symbol)) faults.push_back(where + " is not a symbol of main");
+        if (!symbols.contains(symbol)) faults.push_back(where + " is not a symbol of the main module");
     };
     const auto each = [&](const std::vector<System::Named>& list, const std::string& where) {
         for (const System::Named& named : list) known(named.variable, where + ": `" + named.name + "`");
@@ -254,8 +254,9 @@ void check_names(const System& system, Sorts& sorts, Faults& faults) {
         for (const auto* list : {&words.transitions, &words.inputs, &words.outputs, &words.internals})
             each(*list, where);
         for (const auto& timer : words.timers) {
-            known(timer.end, where + ": a timer end");
-            if (timer.step && *timer.step >= words.steps.size()) faults.push_back(where + ": a timer has no step");
+            known(timer.end, where + ": a timer output");
+            if (timer.step && *timer.step >= words.steps.size())
+                faults.push_back(where + ": a timer refers to an unknown step");
         }
         for (const Id<System::Symbol> held : words.held) known(held, where + ": a held input");
         for (const Id<Expr> term :

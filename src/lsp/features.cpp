@@ -169,7 +169,7 @@ Json Session::prepare_rename(const Json& params) {
 Json Session::rename(const Json& params) {
     const auto name = params.at("newName").get<std::string>();
     const Pointed at = pointed(params);
-    if (at.element == nullptr) throw RequestError{request_failed, "there is no name here"};
+    if (at.element == nullptr) throw RequestError{request_failed, "there is no name at this position"};
     const Declaration* element = at.element;
     if (element->file->is_renamable) {
         const auto file = workspace_.parsed(element->file->path);
@@ -179,10 +179,11 @@ Json Session::rename(const Json& params) {
         const Use* const declared = names(file->path).use_at(*file, begin);
         element = declared == nullptr ? nullptr : declared->element;
     }
-    if (element == nullptr) throw RequestError{request_failed, "there is no name here"};
-    if (workspace_.cut_short()) throw RequestError{request_failed, "the workspace is too large to find all references"};
+    if (element == nullptr) throw RequestError{request_failed, "there is no name at this position"};
+    if (workspace_.cut_short())
+        throw RequestError{request_failed, "the workspace is too large to find all references; open a smaller folder"};
     if (!std::ranges::all_of(named_, [this](const auto& root) { return workspace_.holds(root->inputs); }))
-        throw RequestError{request_failed, "a file that may contain the name cannot be read"};
+        throw RequestError{request_failed, "a file that may contain the name is unreadable or has changed; try again"};
     Renaming renaming = renamed(workspace_, named_, *names_, *element, name);
     if (!renaming.obstacle.empty()) throw RequestError{request_failed, renaming.obstacle};
     return json_of(renaming.edits, uris());

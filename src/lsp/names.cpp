@@ -277,7 +277,7 @@ std::string declaration_text(const Declaration& element) {
                joined(element.whole);
     case DeclarationKind::Own: return "variable " + joined(element.whole);
     case DeclarationKind::Clock: return "clock " + element.name;
-    case DeclarationKind::PlantVariable: return element.name + ", of the plant: " + joined(element.whole);
+    case DeclarationKind::PlantVariable: return element.name + ", a variable of the plant: " + joined(element.whole);
     case DeclarationKind::Transition:
     case DeclarationKind::Location:
     case DeclarationKind::Instance:

@@ -131,7 +131,7 @@ Json Session::execute(const Json& params) {
     const auto command = params.at("command").get<std::string>();
     const Json arguments = params.value("arguments", Json::array());
     if (!arguments.is_array() || arguments.empty())
-        throw RequestError{rpc::invalid_params, command + " requires the address of a document as first argument"};
+        throw RequestError{rpc::invalid_params, command + " requires the URI of a document as its first argument"};
     const OpenText* const open = workspace_.find(arguments.at(0).get<std::string>());
     if (open == nullptr) throw RequestError{request_failed, "the document is not open"};
     const std::string path = open->path;
@@ -162,7 +162,9 @@ Json Session::show_verdict(const std::string& path, const std::string& loop, con
         if (all != verdicts_.end() && !all->second.by_key.empty()) known = &all->second.by_key.begin()->second;
     }
     if (known == nullptr)
-        throw RequestError{request_failed, "the property is not yet checked; save the file or run the check"};
+        throw RequestError{
+            request_failed,
+            "the property has no verdict yet; save the file to check it, or wait for the end of the running check"};
     const bool kept = can_.shows_documents && surroundings_.keep;
     const std::string uri = kept ? rpc::uri_of_path(surroundings_.keep(property + ".txt", known->text)) : "";
     if (kept) show(uri, false, known->text);
@@ -176,14 +178,15 @@ Json Session::show_verdict(const std::string& path, const std::string& loop, con
 Json Session::draw(const std::string& path, const std::string& chart) {
     const auto root = board_.root(path);
     if (root == nullptr || !root->reading.model)
-        throw RequestError{request_failed, "the file has errors and cannot be drawn; correct them"};
+        throw RequestError{request_failed, "charts of a file with errors cannot be drawn; correct the errors"};
     const Model& model = *root->reading.model;
     for (const Id<Chart> id : model.charts.ids()) {
         if (!chart.empty() && model.charts[id].name != chart) continue;
         if (model.charts[id].program)
             throw RequestError{request_failed, "a PLC program cannot be drawn; select a chart"};
         if (model.charts[id].steps.size() > 5000)
-            throw RequestError{request_failed, "the chart has more than 5,000 steps; use `grafverif draw`"};
+            throw RequestError{request_failed,
+                               "the chart has more than 5,000 steps, too many to draw here; use `grafverif draw`"};
         const std::string svg = svg_of(drawing_of(model, id));
         if (!surroundings_.keep) return {{"svg", svg}};
         const std::string drawn = surroundings_.keep(model.charts[id].name + ".svg", svg);

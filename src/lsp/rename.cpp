@@ -48,7 +48,7 @@ std::string obstacle_of(const Names& names, const Declaration& element, bool err
                                file->path);
         if (errors && file->is_renamable && has_unknown_meaning(names, *file, element))
             return fmt::format(
-                "because of the errors of `{}`, the meaning of an occurrence of `{}` is unknown; correct the errors "
+                "`{}` contains an occurrence of `{}` whose meaning is unknown because of errors; correct the errors "
                 "first",
                 file->path, element.name);
         for (const tree::Declaration& declaration : file->tree.declarations) {
@@ -62,7 +62,7 @@ std::string obstacle_of(const Names& names, const Declaration& element, bool err
                             std::string_view::npos &&
                         word.kind != Word::Kind::Sign)
                         obstacle = fmt::format(
-                            "the formula of property `{}` may contain `{}`; rename it manually, also "
+                            "the formula of property `{}` may contain `{}`; rename the element manually, also "
                             "in the formula",
                             file->tree.text(property->name), element.name);
             });
@@ -132,12 +132,12 @@ Renaming renamed(const Workspace& workspace, const std::vector<std::shared_ptr<c
     Renaming result;
     std::map<const Parsed*, std::vector<Span>> edits;
     for (const FileUse& each : names.everywhere(element)) {
-        if (is_of_library(*each.file)) return {{}, fmt::format("`{}` is used in the library", element.name)};
+        if (is_of_library(*each.file))
+            return {{}, fmt::format("`{}` is used in the library and cannot be renamed", element.name)};
         if (!each.file->is_renamable)
             return {{},
-                    fmt::format("`{}` occurs in `{}`, which is not a text of grafverif or Structured Text and cannot "
-                                "be edited by this command; "
-                                "rename it manually in all files",
+                    fmt::format("`{}` occurs in `{}`, which is neither a `.grafcet` file nor Structured Text and "
+                                "cannot be edited by this command; rename the element manually in all files",
                                 element.name, each.file->path)};
         const Span where = each.use.name();
         edits[each.file].push_back(where);

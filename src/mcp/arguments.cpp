@@ -43,7 +43,8 @@ std::string names_error(const Json& value) {
     if (!value.is_array()) return "must be a list of strings";
     if (value.size() > most_names) return fmt::format("must have at most {} elements", most_names);
     for (const Json& each : value)
-        if (const std::string error = name_error(each); !error.empty()) return "has an element that " + error;
+        if (const std::string error = name_error(each); !error.empty())
+            return "has an invalid element: each element " + error;
     return {};
 }
 

@@ -137,7 +137,7 @@ Tool read_tool() {
     Tool tool{
         "read", "Read a file",
         "Returns the text of a file, its models with their properties, and its errors and warnings. A file in another "
-        "format (AGRAFE, PLCopen XML, textual SFC) is converted to the input language of grafverif.",
+        "format (AGRAFE, PLCopen XML, textual SFC) is converted to the grafverif language.",
         input_arguments()};
     tool.output_schema = {{"type", "object"},
                           {"properties",
@@ -167,9 +167,10 @@ Tool simulate_tool() {
         "Simulate a loop or chart",
         "Starts a closed loop or a chart at power-on, executes commands, one per line, and returns the run and the "
         "final values. `NAME = VALUE` sets an input. `wait 3s` lets time pass, and `wait` waits for the next "
-        "event. `do INSTANCE [LOCATION]` takes an enabled edge of an instance, and `NUMBER` makes a choice. "
-        "`expect CLAIM`, `expect within 5s CLAIM` and `wait until CLAIM` check values. `force STEP on|off` "
-        "activates or deactivates a step, which starts a what-if run. `repeat N {` ... `}` repeats commands.",
+        "event. `do INSTANCE [LOCATION]` takes an enabled edge of an instance, and `NUMBER` selects a numbered choice. "
+        "`expect CLAIM` and `expect within 5s CLAIM` check a condition such as `X3` or `LEVEL >= 3`, and `wait until "
+        "CLAIM` waits until a condition is true. `force STEP on|off` activates or deactivates a step, which starts a "
+        "what-if run. `repeat N {` ... `}` repeats commands.",
         {file_argument(true), {"commands", Kind::Text, "commands, one per line", true}}};
     for (Argument& each : model_arguments()) tool.arguments.push_back(std::move(each));
     for (Argument& each : loop_arguments()) tool.arguments.push_back(std::move(each));
@@ -178,7 +179,8 @@ Tool simulate_tool() {
         {"properties",
          {{"run", string_type()},
           {"expectations_met", {{"type", "boolean"}}},
-          {"messages", {{"type", "string"}, {"description", "expectations that are not met, with their lines"}}}}},
+          {"messages",
+           {{"type", "string"}, {"description", "expectations that are not met, with their line numbers"}}}}},
         {"required", Json::array({"run", "expectations_met", "messages"})}};
     tool.run = simulate;
     return tool;
@@ -187,8 +189,8 @@ Tool simulate_tool() {
 Tool analyse_tool() {
     Tool tool{
         "analyse", "Analyse a chart",
-        "Finds possible faults of a chart without a plant, for arbitrary inputs: races, contradictory forcing orders, "
-        "total instability, elements that are never used.",
+        "Finds possible errors of a chart without a plant, for arbitrary inputs. Examples are races, contradictory "
+        "forcing orders, total instability, steps that are never active, and transitions that are never cleared.",
         input_arguments()};
     tool.arguments.push_back(chart_argument());
     tool.arguments.push_back(mode_argument());

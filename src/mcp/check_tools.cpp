@@ -28,9 +28,9 @@ constexpr const char* property_schema = R"({
     "verdict": {"enum": ["holds", "violated", "unknown"]},
     "expected": {"enum": ["holds", "violated"]},
     "as_expected": {"type": "boolean"},
-    "vacuous": {"type": "boolean", "description": "true if the property holds vacuously: for a trivial reason"},
+    "vacuous": {"type": "boolean", "description": "true if the property holds only for a trivial reason"},
     "declared": {"type": "boolean", "description": "false for properties that grafverif adds"},
-    "reason": {"type": ["string", "null"], "description": "reason of the verdict `unknown`"},
+    "reason": {"type": ["string", "null"], "description": "reason for the verdict `unknown`"},
     "assumptions": {"type": "string", "description": "model, engine and assumptions under which the verdict applies"},
     "notes": {"type": "array", "items": {"type": "string"}},
     "file": {"type": ["string", "null"]},
@@ -66,7 +66,7 @@ constexpr const char* faults_schema = R"({
           "unknown": {"type": "array", "description": "combinations whose verdicts are unknown, with reasons"},
           "non_monotone": {
             "type": "array",
-            "description": "pairs: the combination `violating` leads to a violation, the larger `holding` does not"
+            "description": "pairs of combinations: `violating` leads to a violation, its superset `holding` does not"
           }
         },
         "required": ["name", "without_faults", "minimal", "unproved", "unknown", "non_monotone"]
@@ -74,7 +74,7 @@ constexpr const char* faults_schema = R"({
     },
     "errors": {
       "type": "array",
-      "description": "model errors; every verdict that depends on states beyond them is unknown",
+      "description": "model errors; every verdict that depends on states after a model error is unknown",
       "items": {
         "type": "object",
         "properties": {
@@ -91,7 +91,7 @@ constexpr const char* faults_schema = R"({
 
 constexpr const char* errors_schema = R"({
   "type": "array",
-  "description": "model errors; every verdict that depends on states beyond them is unknown",
+  "description": "model errors; every verdict that depends on states after a model error is unknown",
   "items": {
     "type": "object",
     "properties": {"code": {"type": "string"}, "message": {"type": "string"}, "run": {"type": "string"}},
@@ -109,9 +109,10 @@ std::vector<Argument> check_arguments() {
          "engine (default: timed for a closed loop, otherwise auto)",
          false,
          {"auto", "timed", "symbolic", "pdr", "bmc"}},
-        {"untimed", Kind::Flag, "check the untimed model; the assumptions state what follows for the timed loop"},
+        {"untimed", Kind::Flag,
+         "check the untimed model; `assumptions` states what each verdict implies for the timed loop"},
         {"plant", Kind::Choice, "plant of the untimed model", false, {"none", "constraints", "automata"}},
-        {"properties_file", Kind::Name, "property file, if the input is a PLC program (IEC 61131-3)"},
+        {"properties_file", Kind::Name, "path of the property file, if the input is a PLC program (IEC 61131-3)"},
     };
     all.insert(all.end(), own.begin(), own.end());
     return all;
@@ -254,7 +255,8 @@ ToolResult explain(ToolCall& call) {
     const auto property = std::ranges::find_if(
         found.at("properties"), [&](const Json& each) { return each.at("name") == call.text("property"); });
     if (property == found["properties"].end())
-        throw CallError{fmt::format("`{}` has no result; pass the name of a single property", call.text("property"))};
+        throw CallError{fmt::format("`{}` does not select a single result; pass the complete name of one property",
+                                    call.text("property"))};
     ToolResult result;
     result.data = property_of(*property, long_trace, true);
     result.data["model"] = found.at("model");
@@ -393,8 +395,8 @@ Tool explain_tool() {
     Tool tool{
         "explain", "Explain a verdict",
         "Checks one property and returns its counterexample or witness completely: as a table, as a list of steps, and "
-        "with its causes. With `why`, also returns the parts of the chart and the plant on which the proof of a "
-        "property that holds depends.",
+        "with its causes. With `why`, also returns, for a property that holds, the parts of the chart and the plant on "
+        "which the proof depends.",
         check_arguments()};
     tool.arguments.push_back({"property", Kind::Name, "name of the property", true});
     tool.arguments.push_back(
@@ -420,7 +422,7 @@ Tool explain_tool() {
 Tool tune_tool() {
     Tool tool{"tune", "Decide properties for ranges of constants",
               "Decides for which values of constants of a closed loop each property holds, exactly at each point of a "
-              "grid. The result is a list of boxes (products of ranges of constants) with equal verdicts, and the "
+              "grid. The result is a list of boxes (products of ranges of constants), each with one verdict, and the "
               "distance from each current value to the nearest value with another verdict.",
               input_arguments()};
     for (Argument& each : model_arguments())
@@ -443,7 +445,7 @@ Tool tune_tool() {
 Tool faults_tool() {
     Tool tool{
         "faults", "Find combinations of faults that lead to violations of properties",
-        "Decides for each property of a closed loop which minimal combinations of its declared faults (`fault NAME "
+        "Decides for each property of a closed loop which minimal combinations of the declared faults (`fault NAME "
         "of INSTANCE: COMPONENT(...)`) lead to a violation, and which steps and outputs show each fault.",
         input_arguments()};
     for (Argument& each : model_arguments())

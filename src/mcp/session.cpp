@@ -70,7 +70,7 @@ void Session::take_batch(const Json& messages) {
         return send(rpc::failure(nullptr, rpc::invalid_request,
                                  messages.empty()
                                      ? "the batch is empty"
-                                     : "this version of the protocol has no batches; send single messages"));
+                                     : "this version of the protocol does not support batches; send single messages"));
     if (messages.size() > most_messages)
         return send(
             rpc::failure(nullptr, rpc::invalid_request,
@@ -140,7 +140,7 @@ Json Session::answer(const std::string& method, const Json& params) {
         throw RequestError{rpc::invalid_request, "the server is not initialized; send `initialize` first"};
     const bool is_list = method == "tools/list" || method == "resources/list" || method == "resources/templates/list";
     if (is_list && params.is_object() && params.contains("cursor"))
-        throw RequestError{rpc::invalid_params, "unknown cursor; lists have one page"};
+        throw RequestError{rpc::invalid_params, "unknown cursor; omit `cursor`, because each list has only one page"};
     if (method == "tools/list") return tool_list(tools_, structured());
     if (method == "resources/list") return resource_list();
     if (method == "resources/templates/list") return {{"resourceTemplates", Json::array()}};

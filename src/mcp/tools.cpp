@@ -14,10 +14,13 @@ using Kind = Argument::Kind;
 }  // namespace
 
 Argument file_argument(bool required) {
-    return {"file", Kind::Name, "path of the file, absolute or relative to a folder of the server", required};
+    return {"file", Kind::Name, "path of the file, absolute or relative to a folder that the server can read",
+            required};
 }
 
-Argument chart_argument() { return {"chart", Kind::Name, "name of the chart, if the file has several charts"}; }
+Argument chart_argument() {
+    return {"chart", Kind::Name, "name of the chart; required if the file has several charts"};
+}
 
 Argument mode_argument() {
     return {"mode",
@@ -28,13 +31,14 @@ Argument mode_argument() {
 }
 
 std::vector<Argument> input_arguments() {
-    return {file_argument(), {"text", Kind::Text, "content of a file that is not saved, instead of `file`"}};
+    return {file_argument(), {"text", Kind::Text, "content of an unsaved file; replaces `file`"}};
 }
 
 std::vector<Argument> model_arguments() {
-    return {{"loop", Kind::Name, "name of the closed loop, if the file has several closed loops"},
+    return {{"loop", Kind::Name, "name of the closed loop, to select one of several closed loops in the file"},
             {"chart", Kind::Name,
-             "name of the chart, if the file has several charts, or to use a chart without its closed loop"},
+             "name of the chart; required to use a chart without its closed loop, or if the file has several charts "
+             "and no closed loop"},
             mode_argument()};
 }
 

@@ -87,8 +87,8 @@ std::vector<std::string> assumptions(const PageContent& content) {
         return {
             "The controller executes all evolutions of a stability search in one scan.",
             "The recording begins when the controller is switched on, and contains every pulse of the inputs.",
-            "Each recorded time differs from the time in the controller by at most the jitter and the offset of its "
-            "clock."};
+            "Each recorded time differs from the time in the controller by at most the jitter plus the offset of the "
+            "clock that recorded it."};
     if (!content.requested.empty())
         sentences.push_back("Only these properties were selected: " + listed(content.requested) + ".");
     if (!content.loop.valid() && !content.charts.empty() && content.charts.front().program) {
@@ -127,7 +127,7 @@ std::vector<std::string> assumptions(const PageContent& content) {
         sentences.push_back("There is no plant: every input can change at any time.");
         for (const ChartContent& each : content.charts)
             for (const Chart::Constraint& constraint : content.model.charts[each.chart].constraints)
-                sentences.push_back("Input constraint, assumed by the findings, but not by the verdicts: " +
+                sentences.push_back("Input constraint, assumed for the findings, but not for the verdicts: " +
                                     term_text(content.model.charts[each.chart], constraint.condition));
         return sentences;
     }

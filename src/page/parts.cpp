@@ -299,7 +299,8 @@ void add_charts(const PageContent& content, Html& html) {
 
 void add_equations(const PageContent& content, Html& html) {
     begin_section(html, "equations", "Equations");
-    html.put("p", "The semantics of each chart, on which the proofs are based.", {{"class", "remark"}});
+    html.put("p", "The proofs are based on these equations, which define the semantics of each chart.",
+             {{"class", "remark"}});
     for (const ChartContent& each : content.charts) {
         if (each.program) continue;
         std::ostringstream text;

@@ -179,11 +179,11 @@ SummaryItem summary_of(const Tuning& tuning) {
     const auto unexpected = static_cast<std::size_t>(std::ranges::count_if(tuning.rows, is_unexpected));
     const auto open = static_cast<std::size_t>(std::ranges::count_if(tuning.rows, is_unknown));
     std::vector<std::string> words;
-    if (tuning.model_error) words.emplace_back("a model error occurs at some point");
+    if (tuning.model_error) words.emplace_back("a model error occurs at some grid point");
     if (unexpected != 0)
         words.push_back(counted(unexpected, "property has", "properties have") +
-                        " an unexpected verdict at some point");
-    if (open != 0) words.push_back(counted(open, "property is", "properties are") + " unknown at some point");
+                        " an unexpected verdict at some grid point");
+    if (open != 0) words.push_back(counted(open, "property is", "properties are") + " unknown at some grid point");
     if (words.empty() && std::ranges::none_of(tuning.rows, &Row::declared))
         return {"unknown", "There are no properties."};
     if (words.empty())
@@ -218,20 +218,20 @@ void add_tuning(const PageContent& content, Html& html) {
     html.close("ul");
     html.open("p", {{"class", "remark"}})
         .prose(fmt::format("{}, {} checked. The verdict at a point is that of `check` with the values of the point. "
-                           "Drawings, formulas and the plant show the current values; a run has the values in its "
-                           "title.",
+                           "Drawings, formulas and the plant show the current values; the title of a run shows the "
+                           "values of the run.",
                            counted(tuning.points, "point", "points"), counted(tuning.checks, "model", "models")))
         .close("p");
     if (has_map(tuning))
         html.put("p",
-                 "✓ holds, ✗ violated, ? unknown; the cell with the current values has a frame. An underlined ✗ plays "
-                 "a run that violates the property with these values.",
+                 "✓ holds, ✗ violated, ? unknown; the cell with the current values has a frame. Click on an underlined "
+                 "✗ to play a run that violates the property with the values of the cell.",
                  {{"class", "remark"}});
     if (std::ranges::any_of(content.point_models,
                             [&](const auto& each) { return !has_drawn_elements(content, each.second); }))
         html.put("p",
                  "At some points, the closed loop has other controllers, steps, transitions or components than the "
-                 "drawings. The page does not contain the runs at these points.",
+                 "drawings show. The page does not contain the runs at these points.",
                  {{"class", "remark"}});
     std::set<std::string> runs;
     for (const Playable& run : playable_runs(content)) runs.insert(run.name);

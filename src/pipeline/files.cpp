@@ -41,7 +41,7 @@ std::string_view kind_of(mode_t mode) {
 
 constexpr std::size_t block_size = std::size_t{1} << 20U;
 
-std::string too_large(std::uintmax_t most) { return fmt::format("larger than {} MiB", most >> 20U); }
+std::string too_large(std::uintmax_t most) { return fmt::format("the file is larger than {} MiB", most >> 20U); }
 
 constexpr const char* outside_text = "the file is outside the permitted folders";
 
@@ -247,8 +247,8 @@ std::optional<std::string> Reach::read(const std::string& path, std::string& why
     const fs::path file = fs::canonical(*permitted, failure);
     if (!failure && std::ranges::none_of(roots_, [&](const fs::path& root) { return is_below(file, root); })) {
         why =
-            "the file is below neither the folder of the main file nor the folder of its project (which contains "
-            "`.git` or `grafverif.project`); allow it with `-I DIR`";
+            "the file is outside the folder of the main file and outside the folder of its project (which contains "
+            "`.git` or `grafverif.project`); pass the folder of the file with `-I DIR`";
         return {};
     }
     return content_of_file(failure ? *permitted : file, why);

@@ -82,8 +82,8 @@ bool are_charts(const Model& model, const ClosedLoop& loop, Diagnostics& diagnos
         if (!model.charts[controller.chart].program) continue;
         diagnostics.add(messages::only_for_charts(controller.origin, controller.name,
                                                   "this untimed model requires charts",
-                                                  "use plant automata with the schedule `interleaved`, or the timed "
-                                                  "engine"));
+                                                  "use `--plant automata` with the schedule `interleaved`, or the "
+                                                  "timed engine"));
         all = false;
     }
     return all;
@@ -137,7 +137,7 @@ std::optional<Network> network_of(const Model& model, Id<ClosedLoop> id, const C
             if (reads_observer(loop, property))
                 diagnostics.add(messages::not_expressible(
                     property.origin, property.name, "timed",
-                    "the property reads an observer, which is supported only for untimed models"));
+                    "the property reads a declared observer, and only untimed models support declared observers"));
     return network;
 }
 

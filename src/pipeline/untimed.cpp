@@ -94,7 +94,7 @@ std::string carried(const SystemToCheck& check, const Property& property, const 
             return "valid for the timed loop";
         return all_runs ? "may hold in the timed loop" : "no conclusion about the timed loop";
     case Abstraction::Preservation::ExactInIntegerTime:
-        if (!about_states || observed) return "applies to integer time only";
+        if (!about_states || observed) return "applies only to integer time";
         return holds == (property.pattern == Pattern::Reachable)
                    // a run proves this verdict, and each run in integer time is also a run in dense time
                    ? "valid for the timed loop"

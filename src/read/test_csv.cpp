@@ -133,7 +133,8 @@ private:
         const auto milliseconds = duration_ms(field.text);
         if (!milliseconds)
             diagnostics_.add(messages::bad_field(
-                field.where, "`" + shown_line(field.text) + "` is not a duration; write `3s`, `250ms` or `2min`"));
+                field.where,
+                "`" + shown_line(field.text) + "` is not a duration; write it as in `3s`, `250ms` or `2min`"));
         return milliseconds.value_or(0);
     }
 
@@ -143,7 +144,8 @@ private:
         const auto [rest, failure] = std::from_chars(field.text.data(), end, count);
         if (failure == std::errc{} && rest == end && count > 0) return count;
         diagnostics_.add(messages::bad_field(
-            field.where, "`" + shown_line(field.text) + "` is not a number of cycles; write 1, 2, ..."));
+            field.where,
+            "`" + shown_line(field.text) + "` is not a number of cycles; write a whole number above zero"));
         return 1;
     }
 

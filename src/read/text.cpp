@@ -265,7 +265,7 @@ void check_settings(ReadState& reading) {
     for (const auto& [name, value] : reading.context.constants)
         if (std::ranges::find(known, name) == known.end())
             reading.diagnostics.add(
-                messages::no_such_choice("constant of a closed loop", name, known, nearest_of(name, known)));
+                messages::no_such_choice("closed-loop constant", name, known, nearest_of(name, known)));
 }
 
 LoopContext loop_context(ReadState& reading) {

@@ -52,8 +52,8 @@ public:
         });
         if (const std::uint64_t inside = profile_.inside_cycles; inside != 0)
             out_ << fmt::format(
-                "    {} % of these states are within a cycle; grain atomic makes each cycle one step and keeps at most "
-                "{} of them\n",
+                "    {} % of these states are within a cycle; with grain atomic, each cycle is one step, and at most "
+                "{} of these states remain\n",
                 (100 * inside + profile_.sampled / 2) / profile_.sampled, profile_.sampled - inside);
         if (profile_.finest) print(*profile_.finest);
     }

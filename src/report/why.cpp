@@ -128,7 +128,7 @@ std::string parts_text(const ProofExplanation::ProofCore& ground) {
         const bool timed = std::ranges::find(ground.timings, name) != ground.timings.end();
         parts.push_back(name + (timed ? " with its timing" : ""));
     }
-    if (parts.empty()) return "holds for all behaviour of the plant and the timers";
+    if (parts.empty()) return "holds for any behaviour of the plant and the timers";
     return "of the plant and the timers, the property depends only on " + listed(parts, " and ");
 }
 

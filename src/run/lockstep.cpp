@@ -68,7 +68,7 @@ private:
             before = std::move(after);
         }
         if (is_stopped()) return {};
-        return fmt::format("the program has not settled after {} scans [total-instability]", most_repetitions);
+        return fmt::format("the program still changes its state after {} scans [total-instability]", most_repetitions);
     }
     std::vector<std::int64_t> settling_values() const {
         std::vector<std::int64_t> values;

@@ -40,7 +40,8 @@ ManualSituation by_hand(const Chart& chart, const std::vector<bool>& situation, 
         return refuse(subject + " is enclosed by " + named(chart, partial.owner) + ", which is not active");
     std::vector<bool> made = levels.by_hand(situation, step, active);
     if (made[step.index] != active)
-        return refuse("the hierarchy of " + subject + " does not allow it to be " + (active ? "active" : "inactive"));
+        return refuse("the hierarchy of the chart does not allow " + subject + " to be " +
+                      (active ? "active" : "inactive"));
     if (const Id<Chart::ForcingOrder> order = levels.conflict(made); order.valid())
         return refuse("two contradictory forcing orders would be active, one of which belongs to " +
                       named(chart, chart.forcing[order].step));

@@ -19,8 +19,9 @@ const std::string power_on =
     "State 0 is power-on. The first step is the first evolution; if it changes nothing, it is omitted. ";
 
 const char* fair_runs =
-    "Verdicts on properties of runs assume fairness: each movement of the plant and each timer terminates, and urgent "
-    "edges are not postponed forever. Buttons, faults and other parts of the environment remain free. ";
+    "Verdicts on properties of runs assume fairness: every movement of the plant ends, every running timer expires or "
+    "stops, and urgent edges are not postponed forever. Buttons, faults and other parts of the environment remain "
+    "free. ";
 
 }  // namespace
 

@@ -141,7 +141,8 @@ std::string LoopSimulation::problem_of(const Step& step, const Move& move) const
 
 bool LoopSimulation::move(const Move& move, std::string& problem) {
     if (run_.moves.size() >= evolution_limit) {
-        problem = fmt::format("too many moves within one instant: {}", evolution_limit);
+        problem = fmt::format("the limit of {} moves since power-on is reached; undo the last command with `back`",
+                              evolution_limit);
         return false;
     }
     const NetworkState before = state_;

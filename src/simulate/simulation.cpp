@@ -134,7 +134,7 @@ std::string Simulation::expect(const ExpectCommand& wanted) {
 std::string Simulation::choose(std::size_t number) {
     const std::size_t count = choice_count();
     if (count == 0) return "no choice is available; let time pass with `wait`";
-    if (number > count) return fmt::format("there are only {} choices", count);
+    if (number > count) return fmt::format("no choice has this number; enter a number from 1 to {}", count);
     return std::visit([&](auto& of) { return of.choose(number - 1); }, of_);
 }
 

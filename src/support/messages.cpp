@@ -69,7 +69,8 @@ Diagnostic missing_folder(std::string_view output, std::string_view folder) {
     return error("missing-folder", {},
                  output == folder
                      ? fmt::format("output folder `{}` does not exist; create it or pass `--create-dirs`", folder)
-                     : fmt::format("the folder of `{}`, `{}`, does not exist; create it or pass `--create-dirs`",
+                     : fmt::format("the folder `{1}` of the output `{0}` does not exist; create it or pass "
+                                   "`--create-dirs`",
                                    output, folder));
 }
 
@@ -138,7 +139,8 @@ Diagnostic output_cycle(Span where, std::span<const std::string> outputs) {
     std::string path;
     for (const std::string& output : outputs.first(std::min(shown, outputs.size())))
         path += fmt::format("`{}` reads ", output);
-    if (outputs.size() > shown) path += fmt::format("{} more, the last reads ", outputs.size() - shown);
+    if (outputs.size() > shown)
+        path += fmt::format("{} more outputs, the last of which reads ", outputs.size() - shown);
     return error("output-cycle", where,
                  fmt::format("the output `{}` depends on itself ({}`{}`); remove one of these outputs from an "
                              "assignation condition, which is expanded with the equation of each output that it reads",

@@ -14,9 +14,9 @@ Diagnostic empty_chart(Span where, std::string_view chart) {
 }
 
 Diagnostic no_initial_step(Span where, std::string_view chart) {
-    return error(
-        "no-initial-step", where,
-        fmt::format("`{}` has no initial step and is not activated otherwise; mark a step `initial`", clipped(chart)));
+    return error("no-initial-step", where,
+                 fmt::format("`{}` has no initial step, and none of its steps can become active; mark a step `initial`",
+                             clipped(chart)));
 }
 
 Diagnostic no_activation_link(Span where, std::string_view chart) {
@@ -154,14 +154,14 @@ Diagnostic owned_twice(Span where, std::string_view chart, Span first) {
         error("owned-twice", where,
               fmt::format("`{}` already belongs to another step; use a separate partial chart for this step",
                           clipped(chart)));
-    diagnostic.notes.push_back(note(first, "the first step is here"));
+    diagnostic.notes.push_back(note(first, "the other step is here"));
     return diagnostic;
 }
 
 Diagnostic unused_expansion(Span where, std::string_view chart) {
     return error(
         "unused-expansion", where,
-        fmt::format("no macro-step is expanded by `{0}`; write `macro step ... expands {0};`", clipped(chart)));
+        fmt::format("no macro-step has the expansion `{0}`; write `macro step ... expands {0};`", clipped(chart)));
 }
 
 Diagnostic entry_and_exit(Span where, std::string_view chart) {

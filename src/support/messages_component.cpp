@@ -75,9 +75,8 @@ Diagnostic two_initial_locations(Span where, std::string_view component, Span fi
 }
 
 Diagnostic empty_component(Span where, std::string_view component) {
-    return error(
-        "empty-component", where,
-        fmt::format("the component `{}` has no location; write `initial location still;`", clipped(component)));
+    return error("empty-component", where,
+                 fmt::format("the component `{}` has no location; write `initial location NAME;`", clipped(component)));
 }
 
 Diagnostic edge_outside_chart(Span where) {

@@ -20,7 +20,8 @@ Diagnostic bad_exclusion(Span where, std::size_t fields) {
 
 Diagnostic not_a_boolean_input(Span where, std::string_view name, std::string_view chart) {
     return error("bad-exclusion", where,
-                 fmt::format("`{}` is not a Boolean input of grafcet `{}`", clipped(name), clipped(chart)));
+                 fmt::format("`{}` is not a Boolean input of grafcet `{}`; correct the name or remove the row",
+                             clipped(name), clipped(chart)));
 }
 
 Diagnostic excludes_itself(Span where, std::string_view name) {

@@ -14,7 +14,7 @@ Diagnostic broken_xml(Span where, std::string_view why) {
 
 Diagnostic elements_too_deep(Span where, std::size_t limit) {
     return error("too-deep", where,
-                 fmt::format("the elements nest deeper than {} levels; flatten the document", limit));
+                 fmt::format("the elements are nested deeper than {} levels; flatten the document", limit));
 }
 
 Diagnostic declared_entities(Span where) {
@@ -82,8 +82,9 @@ Diagnostic chosen_kind(Span where, std::string_view variable, std::string_view k
 
 Diagnostic mixed_actions(Span where, std::string_view output, std::string_view stored) {
     return warning("mixed-actions", where,
-                   fmt::format("`{0}` has continuous and stored actions; it is true if a continuous action sets it or "
-                               "if the last stored value, which is imported as the variable `{1}`, is true",
+                   fmt::format("`{0}` has both continuous and stored actions, which IEC 60848 forbids; in the imported "
+                               "chart, stored actions assign the new variable `{1}`, and `{0}` is true while `{1}` is "
+                               "true or a continuous action on `{0}` is active",
                                clipped(output), clipped(stored)));
 }
 
@@ -138,7 +139,8 @@ Diagnostic program_type_mismatch(Span where, std::string_view what, std::string_
 
 Diagnostic not_a_number_of_type(Span where, std::int64_t value, std::string_view type) {
     return error("out-of-range", where,
-                 fmt::format("{} is outside the range of {}; convert the other operand", value, type));
+                 fmt::format("{} is outside the range of {}; use a value in this range, or a type with a larger range",
+                             value, type));
 }
 
 Diagnostic recursive_unit(Span where, std::string_view name) {

@@ -161,7 +161,7 @@ Diagnostic unknown_time(Span where, const std::vector<std::string>& waited) {
     constexpr std::string_view why = "no chart has this time condition";
     if (!waited.empty())
         return error("unknown-time", where,
-                     fmt::format("{} on this event; use a duration from the charts: {}", why,
+                     fmt::format("{}; use one that the charts have for this term: {}", why,
                                  clipped(fmt::format("{}", fmt::join(waited, ", ")))));
     return error(
         "unknown-time", where,

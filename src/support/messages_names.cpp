@@ -36,7 +36,7 @@ Diagnostic unknown_location(Span where, std::string_view name, std::string_view 
 
 Diagnostic duplicate_name(Span where, std::string_view kind, std::string_view name, Span first) {
     Diagnostic diagnostic = error("duplicate-name", where,
-                                  fmt::format("a second {} is named `{}`; rename one of them", kind, clipped(name)));
+                                  fmt::format("a second {} is named `{}`; rename one of the two", kind, clipped(name)));
     diagnostic.notes.push_back(note(first, "the first declaration is here"));
     return diagnostic;
 }
@@ -49,9 +49,10 @@ Diagnostic declared_in_copies(Span where, std::string_view kind, std::string_vie
 }
 
 Diagnostic index_hides(Span where, std::string_view index, Span other) {
-    Diagnostic diagnostic = error(
-        "duplicate-name", where,
-        fmt::format("the index variable `{}` has the name of another declaration; rename one of them", clipped(index)));
+    Diagnostic diagnostic =
+        error("duplicate-name", where,
+              fmt::format("the index variable `{}` has the name of another declaration; rename one of the two",
+                          clipped(index)));
     diagnostic.notes.push_back(note(other, "the other declaration is here"));
     return diagnostic;
 }

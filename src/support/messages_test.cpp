@@ -85,10 +85,10 @@ Diagnostic unrecorded_inputs(Span where, std::string_view chart, std::string_vie
 }
 
 Diagnostic no_recorded_output(Span where, std::string_view chart) {
-    return error(
-        "unrecorded", where,
-        fmt::format("the log has no column for an output of `{}`; record an output, or pass `--map COLUMN=NAME`",
-                    clipped(chart)));
+    return error("unrecorded", where,
+                 fmt::format("the log has no column for any output of `{}`; record at least one output, or pass "
+                             "`--map COLUMN=NAME`",
+                             clipped(chart)));
 }
 
 Diagnostic unrecorded_outputs(std::string_view chart, std::string_view names) {
@@ -102,7 +102,7 @@ Diagnostic unrecorded_outputs(std::string_view chart, std::string_view names) {
 Diagnostic ignored_columns(Span where, std::string_view names) {
     return note(
         where,
-        fmt::format("columns ignored, because no checked chart has an input or output with this name: {}", names));
+        fmt::format("columns ignored, because no checked chart has an input or output of the same name: {}", names));
 }
 
 // -- charts that cannot be compared --

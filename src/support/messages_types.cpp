@@ -34,8 +34,9 @@ Diagnostic not_constant(Span where, std::string_view what) {
 Diagnostic reads_parameter(Span where, std::string_view what, std::string_view parameter) {
     return error(
         "not-constant", where,
-        fmt::format("{} cannot depend on the parameter `{}`, whose value each instance chooses; write a number", what,
-                    clipped(parameter)));
+        fmt::format("{} cannot depend on the parameter `{}`, which has a separate value in each instance; write a "
+                    "number",
+                    what, clipped(parameter)));
 }
 
 Diagnostic out_of_range(Span where, std::string_view variable, std::int64_t value, std::int64_t low,
@@ -62,8 +63,7 @@ Diagnostic misplaced_value(Span where, std::string_view kind) {
 }
 
 Diagnostic zero_duration(Span where) {
-    return error("zero-duration", where,
-                 "a time condition or limit has the duration zero; write a duration above zero");
+    return error("zero-duration", where, "the duration is zero or negative; write a duration above zero");
 }
 
 Diagnostic bad_count(Span where, std::int64_t count, std::int64_t greatest) {

@@ -291,7 +291,7 @@ private:
             const std::string grain = kind.grain == Grain::Atomic ? "discrete atomic" : "discrete phased";
             for (const Untimed& other : untimed_)
                 if (other.name == grain) agree(words, verdict, other.verdicts);
-        } else if (has(words, "integer time only")) {
+        } else if (has(words, "only to integer time")) {
             agree(words, verdict, timed.verdicts, &network);
         } else {
             count(words, verdict, words.ends_with("plant") ? atomic_.verdicts : timed.verdicts);

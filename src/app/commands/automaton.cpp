@@ -33,8 +33,9 @@ bool draw(const Diagram& drawn, CommandContext& job, const Streams& streams) {
         return false;
     }
     if (nodes > largest_drawing && !job.options.quiet)
-        streams.err << fmt::format("note: {} locations exceed the limit of a drawing, {}; a table is written instead\n",
-                                   nodes, largest_drawing);
+        streams.err << fmt::format(
+            "note: {} locations are too many for a drawing (limit: {}); a table is written instead\n", nodes,
+            largest_drawing);
     print_to_output(job, streams, [&](std::ostream& out) {
         job.options.format == Format::Svg ? emit_svg(drawn, out) : emit_dot(drawn, out);
     });

@@ -80,7 +80,7 @@ CliCommand build_usage() {
         "Writes, for the closed loop NAME of FILE (.grafcet):\n"
         "  NAME.xml  UPPAAL project of the timed closed loop, with queries\n"
         "  NAME.q    the queries only\n"
-        "  NAME.smv  NuSMV model of the controller with free inputs and timers, or of the loop with --plant automata\n"
+        "  NAME.smv  NuSMV model of the controller with free inputs and timers; with --plant automata: of the loop\n"
         "\n"
         "If a construct cannot be translated exactly, it is reported with its line, and no file is written. After an\n"
         "error or a signal, either all files are written or no file has changed (docs/reference/files.md). --depfile\n"

@@ -19,8 +19,8 @@ ExitCode draw(CommandContext& job, const Streams& streams) {
     const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
     if (!chart) return ExitCode::Input;
     if (const Chart& drawn = model->charts[*chart]; drawn.program && drawn.steps.empty())
-        job.diagnostics.add(messages::only_for_charts(drawn.origin, drawn.name, "it has no steps to draw",
-                                                      "use `grafverif report`, which shows its statements"));
+        job.diagnostics.add(messages::only_for_charts(drawn.origin, drawn.name, "only charts with steps can be drawn",
+                                                      "use `grafverif report` to show its statements"));
     const DrawOptions options{
         .notation = job.options.notation,
         .situation = named_steps(model->charts[*chart], job.options.situation, "--situation", job),
@@ -38,8 +38,8 @@ CliCommand draw_usage() {
         1,
         "draw a chart",
         "Draws a chart in the notation of IEC 60848 as SVG. Partial charts are side by side; expansions and enclosed\n"
-        "charts have separate frames. Steps, transitions, conditions and actions have ids, to which web pages can\n"
-        "refer.",
+        "charts have separate frames. Steps, transitions, conditions and actions have ids that web pages can\n"
+        "refer to.",
         {"grafverif draw samples/oven_door/oven_door.grafcet -o oven_door.svg",
          "grafverif draw samples/testing_station/faulty.grafcet --situation 4,W0,W5 --notation text -o station.svg"},
         {OptionGroup::Within, OptionGroup::Output, OptionGroup::Chart, OptionGroup::Drawing}};

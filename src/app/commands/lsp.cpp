@@ -106,19 +106,18 @@ ExitCode lsp(CommandContext& job, const Streams& streams) {
 }
 
 CliCommand lsp_usage() {
-    return {
-        "lsp",
-        "",
-        0,
-        0,
-        "run a language server for editors: diagnostics, navigation, completion, verdicts",
-        "Implements the Language Server Protocol 3.17 on standard input and output, for editors that start this\n"
-        "server (docs/how-to/language-server.md has the configuration). The text of a document that is open in the\n"
-        "editor is used instead of the file on disk, also when another file includes the document. The server\n"
-        "writes only temporary files that other programs display. It exits when the editor requests this, or\n"
-        "when the editor terminates.",
-        {"grafverif lsp"},
-        {OptionGroup::Within, OptionGroup::Lsp}};
+    return {"lsp",
+            "",
+            0,
+            0,
+            "run a language server for editors: diagnostics, navigation, completion, verdicts",
+            "Implements the Language Server Protocol 3.17 on standard input and output, for editors that start this\n"
+            "server (docs/how-to/language-server.md describes the setup). The text of a document that is open in the\n"
+            "editor is used instead of the file on disk, also when another file includes the document. The server\n"
+            "writes only temporary files that other programs display. It exits when the editor requests this, or\n"
+            "when the editor terminates.",
+            {"grafverif lsp"},
+            {OptionGroup::Within, OptionGroup::Lsp}};
 }
 
 }  // namespace grafverif::app

@@ -96,10 +96,10 @@ CliCommand mcp_usage() {
         "[FOLDER...]",
         0,
         any_number - 1,
-        "run a server for assistants: read, draw, check, explain, simulate, analyse, compare, tune, find faults, "
+        "run a server for AI assistants: read, draw, check, explain, simulate, analyse, compare, tune, find faults, "
         "complete",
         "Implements the Model Context Protocol (2024-11-05, 2025-03-26, 2025-06-18) on standard input and output,\n"
-        "for programs that start this server (docs/how-to/mcp.md has the configuration). Only files below the\n"
+        "for programs that start this server (docs/how-to/mcp.md describes the setup). Only files below the\n"
         "FOLDERs are read (default: the current folder), and no file is written. A separate process with a time\n"
         "limit and a memory limit executes each call of a tool. --max-memory limits the memory of the server, and is\n"
         "the largest memory limit that a call can request (default: 8192M). The server exits when the client closes\n"

@@ -114,10 +114,10 @@ CliCommand pins_usage() {
         1,
         "write the timed closed loop as a C file for LTSmin",
         "Writes the timed closed loop of FILE, in integer time, as a C file with the partitioned next-state\n"
-        "interface (PINS) of LTSmin. The multi-core, symbolic and distributed engines of LTSmin handle state spaces\n"
-        "that exceed the memory of one machine. The states are those that `check` explores. Each state property has\n"
-        "a label with value 1 in states that violate the property (for `reachable`: that satisfy it). Comments in\n"
-        "the file describe how to compile it and how to run LTSmin.",
+        "interface (PINS) of LTSmin. LTSmin has multi-core, symbolic and distributed engines for very large state\n"
+        "spaces. The model has the states that `check` explores. Each state property has a label with value 1 in\n"
+        "states that violate the property (for `reachable`: that satisfy it). Comments in the file describe how to\n"
+        "compile it and how to run LTSmin.",
         {"grafverif pins samples/oven_door/oven_door.grafcet -o oven_door.c",
          "grafverif pins station.grafcet --grain atomic"},
         {OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Questions, OptionGroup::Mode,

@@ -75,10 +75,10 @@ std::optional<std::string> served_content(CommandContext& job) {
         if (content && format_of(*content) == FileFormat::Grafcet)
             job.diagnostics.add(messages::cannot_read(
                 path,
-                "with `--properties`, the operand is a PLC program; declare the properties of a chart in a loop"));
+                "with `--properties`, the file must be a PLC program; declare the properties of a chart in a loop"));
     }
     const std::uint64_t port = job.options.port;
-    if (port > 65535) job.diagnostics.add(messages::cannot_listen(port, "invalid port; use a number up to 65535"));
+    if (port > 65535) job.diagnostics.add(messages::cannot_listen(port, "the largest port number is 65535"));
     return job.diagnostics.has_errors() ? std::nullopt : content;
 }
 
@@ -157,9 +157,9 @@ CliCommand edit_usage() {
         "the text;\n"
         "comments and layout are kept. Verdicts and the simulator are updated after each change. Only this machine can "
         "open the\n"
-        "page, and only with the token of the address. FILE is written on request, and is never written over a change "
-        "that another\n"
-        "program has made. Changes that are not saved are kept in the file .FILE.unsaved. Ctrl-C stops the server.",
+        "page, and only with the token of the address. FILE is written only on request, and a change by another\n"
+        "program is overwritten only after confirmation. Changes that are not saved are kept in the file\n"
+        ".FILE.unsaved. Ctrl-C stops the server.",
         {"grafverif edit press.grafcet --open", "grafverif edit station.grafcet --port 8060"},
         {OptionGroup::Serve, OptionGroup::Constants, OptionGroup::Mode, OptionGroup::Grain}};
 }

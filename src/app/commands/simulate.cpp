@@ -57,7 +57,7 @@ public:
         if (std::holds_alternative<HelpCommand>(command)) out_ << help;
         if (std::holds_alternative<ShowCommand>(command)) show();
         if (std::holds_alternative<RepeatCommand>(command) || std::holds_alternative<EndCommand>(command))
-            return "`repeat` is allowed only in scripts; write the commands repeatedly";
+            return "`repeat` and `}` are allowed only in scripts; enter each command as often as needed";
         if (const auto* const save = std::get_if<SaveCommand>(&command)) return saved(save->file);
         return recording_.execute(command, line);
     }

@@ -138,9 +138,9 @@ CliCommand st_usage() {
         "\n"
         "With --prove, `st` reads the generated text as a PLC program and compares it with the chart, as `compare`\n"
         "does. The text is written only if program and chart are proved equivalent. Exit code 1: different; 3:\n"
-        "inconclusive (--timeout, --max-memory, Ctrl-C). With exit codes 1 and 3, no program is written. Without\n"
-        "--max-evolutions, the limit of evolutions per scan is the smallest of 8, 16, ..., 128 with which the program\n"
-        "completes every scan that the chart completes.",
+        "inconclusive (--timeout, --max-memory, Ctrl-C). With exit codes 1 and 3, no program is written. If\n"
+        "--prove is given without --max-evolutions, the limit of evolutions per scan is the smallest of 8, 16, ...,\n"
+        "128 with which the program completes every scan that the chart completes.",
         {"grafverif st samples/tanks/tanks.grafcet -o tanks.xml",
          "grafverif st samples/tanks/tanks.grafcet --mode every-cycle --format text",
          "grafverif st samples/tanks/tanks.grafcet --prove -o tanks.xml",

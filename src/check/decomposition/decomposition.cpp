@@ -257,14 +257,15 @@ void DecomposedCheck::show(Verdict& verdict, const SubNetwork& of, const PartNum
         joined(in_complete(of, *verdict.run), other_runs(chosen), at_stable ? Ending::Waiting : Ending::Anywhere);
     if (!verdict.run) {
         verdict.notes.emplace_back(
-            "no trace is given: combined with the other sub-loops, the trace would repeat only after very many steps");
+            "no trace is given: with the moves of the other sub-loops, the trace would repeat only after very many "
+            "steps");
         return;
     }
     const bool maximal = is_liveness(verdict.pattern) || verdict.pattern == Pattern::NoTimelock;
     if (maximal && !verdict.run->loop) verdict.run = continued(network_, std::move(*verdict.run));
     if (verdict.run->moves.size() <= most_moves) return;
     verdict.run.reset();
-    verdict.notes.emplace_back("no trace is given: combined with the other sub-loops, the trace has too many moves");
+    verdict.notes.emplace_back("no trace is given: with the moves of the other sub-loops, the trace is too long");
 }
 
 void DecomposedCheck::answer(SubsystemQuery& question) {

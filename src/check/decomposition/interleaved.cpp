@@ -106,7 +106,7 @@ void InterleavedCheck::answer(Id<Property> id) {
         std::ranges::any_of(system_.parts.each, [](const System::Subsystem& part) { return !part.settled.valid(); }))
         return needs_complete(id, "quiescence cannot be decomposed into sub-loops");
     SubsystemResult& found = parts_.search(chosen);
-    if (found.result.fault) return needs_complete(id, "the sub-loops that the property reads have a model error");
+    if (found.result.fault) return needs_complete(id, "the sub-loops on which the property depends have a model error");
     const auto place = static_cast<std::size_t>(std::ranges::find(found.requested, id) - found.requested.begin());
     Verdict verdict = found.result.verdicts[place];
     if (verdict.outcome == Outcome::Unknown) return give(id, verdict, scope(chosen, ""), {});
@@ -311,7 +311,7 @@ std::optional<FlatRun> InterleavedCheck::complete_run(const SubsystemResult& sea
     if (made && stands) made = extended(std::move(*made), last, rest);
     if (made) return replayed(parts_.flat(), *made);
     verdict.notes.emplace_back(
-        "no trace is given: combined with the other sub-loops, the trace would repeat only after very many steps");
+        "no trace is given: with the moves of the other sub-loops, the trace would repeat only after very many steps");
     return {};
 }
 

@@ -74,7 +74,7 @@ std::string because(const Verdict& verdict, bool at_stable) {
         return "shares only time with the checked sub-loops, can let time pass forever and is quiescent whenever time "
                "passes";
     switch (claim) {
-    case PreservationClass::Everywhere: return "shares only time with the checked sub-loops and adds no state";
+    case PreservationClass::Everywhere: return "shares only time with the checked sub-loops and adds no state to them";
     case PreservationClass::Somewhere:
         return "shares only time with the checked sub-loops and can let time pass forever";
     case PreservationClass::Unavoidable:

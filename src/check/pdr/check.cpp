@@ -130,7 +130,7 @@ private:
         if (interrupted != nullptr) *interrupted = nullptr;
         if (answer.reached) {
             if (!reaches(bad, answer.inputs))
-                throw UnsoundResult{"the trace for `" + name + "` is invalid: it does not reach the state"};
+                throw UnsoundResult{"the trace for `" + name + "` is invalid: it does not reach the target state"};
             return answer;
         }
         if (const std::string why = flaw(circuit_, bad, answer.invariant, watch_); !why.empty())
@@ -384,7 +384,7 @@ private:
         std::optional<RunInputs> found = unrolling_->run_to(question.target->bad, question.cleared);
         if (found && !reaches(question.target->bad, *found))
             throw UnsoundResult{"the trace for `" + question.property.name +
-                                "` is invalid: it does not reach the state"};
+                                "` is invalid: it does not reach the target state"};
         if (!found) ++question.cleared;
         return found;
     }

@@ -29,7 +29,7 @@ enum class Opcode : std::uint8_t {
     Test,    // tests (word & mask) == value
     Within,  // tests low <= raw field <= low + span
     Load,
-    Constant,  // Load, Constant: load a field or a constant into register `to`
+    Constant,  // Load, Constant: load a field or the constant `value` into register `to`
     Add,
     Subtract,
     Multiply,
@@ -51,16 +51,16 @@ enum class Opcode : std::uint8_t {
     Patch,        // word := (word & mask) | value
     Store,        // field := register a; a value outside the range of the field causes a model error
     Cap,          // raw field := minimum of the raw field and `value`
-    Choose,       // tests if the chosen valuation belongs to the set `value` (see Choices)
+    Choose,       // tests if the chosen valuation belongs to the set `value`; may fork (see Choices)
 };
 
 struct Instruction {
     Word mask = 0;          ///< Load, Within, Store, Cap: mask of the field; Test, Patch: see Opcode
-    Word value = 0;         ///< Test, Patch: bits; Load, Constant, Store: lower bound; Within: low; Cap: the cap
+    Word value = 0;         ///< Test, Patch: bits; Load, Store: lower bound; Within: low; others: see Opcode
     Word span = 0;          ///< Within, Store: number of values above the lower bound
     std::uint32_t yes = 0;  ///< index of the next instruction; for a test: if the result is true
     std::uint32_t no = 0;   ///< for a test: index of the next instruction if the result is false
-    std::uint32_t to = 0, a = 0, b = 0, c = 0;  ///< registers; for Store, `to` is the index of the variable
+    std::uint32_t to = 0, a = 0, b = 0, c = 0;  ///< registers; `to` of Store: index of the variable
     std::uint16_t word = 0;
     std::uint8_t shift = 0;
     Opcode op = Opcode::Yes;

@@ -283,9 +283,8 @@ std::string PropertyQueries::place_of(Graph& graph, const UncoveredAt& at) const
     const Network::Location& place = automaton.locations[{static_cast<std::uint32_t>(location)}];
     const Network::ClockConstraint& bound = place.invariant[at.bound.bound];
     const std::string clock = automaton.clocks[bound.clock].name;
-    return "`" + process.name + "." + place.name + "`: no edge that waits for `" + clock +
-           "` alone can leave the location at `" + clock + " == " + std::to_string(admitted(network_, bound).high) +
-           "`";
+    return "`" + process.name + "." + place.name + "`: no edge that waits only for `" + clock +
+           "` can leave the location at `" + clock + " == " + std::to_string(admitted(network_, bound).high) + "`";
 }
 
 void PropertyQueries::mark_vacuous(PropertyQuery& query, const Graph& graph) const {

@@ -334,7 +334,11 @@ private:
         case Pattern::Never:
         case Pattern::Reachable: bad(now_.both(here, operands[0].line), property.name); break;
         case Pattern::ExactlyOneOf: bad(now_.both(here, now_.negation(exactly_one(operands))), property.name); break;
-        default: result_.omitted.push_back({id, "properties of runs are supported only by `grafverif aiger`"}); return;
+        default:
+            result_.omitted.push_back({id,
+                                       "this format supports only properties of states; `grafverif aiger` also "
+                                       "supports properties of runs"});
+            return;
         }
         for (const Word& operand : operands)
             if (operand.undefined != 0) bad(now_.both(here, operand.undefined), property.name + ".has_no_value");

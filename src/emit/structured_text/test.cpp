@@ -155,7 +155,7 @@ private:
 
     std::string comment() const {
         return fmt::format(
-            "{}: conformance test of the function block {} written by grafverif\n"
+            "{}: conformance test of the function block {}, written by grafverif\n"
             "Call it in every cycle of a task until {} is TRUE. {} is TRUE if no output was wrong in any of the {} "
             "rows.\n"
             "{} is the first row with a wrong output, and {} is the number of scans with a wrong output.\n",

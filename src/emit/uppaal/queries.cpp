@@ -33,7 +33,7 @@ std::string_view reason(Pattern pattern) {
     case Pattern::Watched: return "the observer of this property is not part of this model";
     case Pattern::NoTimelock: return "UPPAAL has no query for `no timelock`";
     case Pattern::AlwaysPossible: return "UPPAAL has no query for `always possible` (AG EF)";
-    case Pattern::RawCtl: return "UPPAAL does not support CTL beyond its own queries";
+    case Pattern::RawCtl: return "UPPAAL queries cannot express arbitrary CTL formulas";
     case Pattern::RawLtl: return "UPPAAL does not support LTL";
     }
     unreachable();

@@ -179,9 +179,10 @@ private:
         if (!network_.processes.contains(controller.process)) return fault(where + ": no process");
         const Network::Template& automaton = network_.templates[network_.processes[controller.process].automaton];
         if (!automaton.locations.contains(controller.waiting)) fault(where + ": no waiting location");
-        if (!network_.variables.contains(controller.stable)) fault(where + ": no variable indicates that it is stable");
+        if (!network_.variables.contains(controller.stable))
+            fault(where + ": no variable indicates that its situation is stable");
         for (const Network::Timer& timer : controller.timers)
-            if (!network_.processes.contains(timer.process)) fault(where + ": an unknown timer");
+            if (!network_.processes.contains(timer.process)) fault(where + ": a timer refers to an unknown process");
         check_text(controller.words, where);
     }
 

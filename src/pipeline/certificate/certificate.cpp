@@ -74,7 +74,7 @@ public:
         std::vector<const Verdict*> known;
         for (const Verdict* verdict : others) {
             if (verdict->outcome == Outcome::Unknown) omit(*verdict, "the verdict is unknown");
-            else if (certificate::is_too_deep(flat_)) omit(*verdict, "a term of the model is too deep");
+            else if (certificate::is_too_deep(flat_)) omit(*verdict, "a term of the model is nested too deeply");
             else known.push_back(verdict);
         }
         if (!known.empty()) prove_completely(known, std::move(options));

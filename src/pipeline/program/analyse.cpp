@@ -66,7 +66,7 @@ public:
         analysis_.notes.push_back(fmt::format("inputs are free; {}; findings are proved for any number of scans",
                                               program_.interval_ms
                                                   ? fmt::format("a scan starts every {} ms", *program_.interval_ms)
-                                                  : "any time passes between two scans"));
+                                                  : "any time can pass between two scans"));
         analysis_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         return std::move(analysis_);
     }
@@ -381,7 +381,7 @@ private:
             return {false, true};
         return {true, !impossible(false_[id.index],
                                   {"condition-always-true", "",
-                                   fmt::format("the condition `{}` is true in each execution", text), node.origin})};
+                                   fmt::format("the condition `{}` is true in each evaluation", text), node.origin})};
     }
 
     /// Visits transitions. A transition that is never enabled is not reported, because a preceding step is reported.
@@ -393,7 +393,8 @@ private:
                     const Id<Program::Node> condition = program_.statements[transition.test].value;
                     impossible(cleared_[transition.test.index],
                                {"transition-never-fired", transition.name,
-                                fmt::format("this transition is never cleared: `{}` is never true while it is enabled",
+                                fmt::format("this transition is never cleared: `{}` is never true while the "
+                                            "transition is enabled",
                                             term_text(program_, id, condition)),
                                 program_.nodes[condition].origin});
                 }

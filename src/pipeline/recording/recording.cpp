@@ -123,7 +123,7 @@ private:
             if (!report_.stopped || verdict.kind != RecordingVerdict::Kind::Conforms) continue;
             verdict.kind = RecordingVerdict::Kind::Unknown;
             verdict.reason = failed() ? "an invalid line ended the check; no deviation up to this line"
-                                      : "stopped before the end of the log; no deviation up to this sample";
+                                      : "stopped before the end of the log; no deviation up to the last sample read";
         }
         report_.properties = properties_->results();
     }
@@ -233,13 +233,13 @@ private:
                 else if (std::ranges::find(ignored, column) != ignored.end())
                     diagnostics_.add(messages::bad_log(
                         {},
-                        fmt::format("`--skew` names the column `{}`, but no checked chart has this input or output; "
-                                    "remove it from `--skew`",
+                        fmt::format("`--skew` names the column `{}`, but no checked chart has an input or output for "
+                                    "this column; remove the column from `--skew`",
                                     messages::clipped(column))));
                 if (std::ranges::find(with_clock, column) != with_clock.end())
                     diagnostics_.add(messages::bad_log(
                         {},
-                        fmt::format("`--skew` names the column `{}` twice; remove one", messages::clipped(column))));
+                        fmt::format("`--skew` names the column `{}` twice; name it once", messages::clipped(column))));
                 with_clock.push_back(column);
             }
         if (!ignored.empty()) diagnostics_.add(messages::ignored_columns(first_ignored, list_of(ignored)));
@@ -298,7 +298,8 @@ private:
                     names.push_back(reader_.columns()[k].name);
         if (!names.empty())
             diagnostics_.add(messages::bad_log(
-                first_row_, fmt::format("the first sample has no value of {}; add it", list_of(names))));
+                first_row_,
+                fmt::format("the first sample has no value of {}; add a value for each column", list_of(names))));
     }
 
     bool stopped() const { return is_over(options_.limits.deadline, options_.limits.stop); }

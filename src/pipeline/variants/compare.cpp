@@ -450,7 +450,7 @@ std::optional<Comparison> compared(std::array<CompareSide, 2> sides, const Compa
     const std::vector<std::int64_t> times = durations(sides);
     const std::int64_t most = result.programs[0] || result.programs[1] ? most_program_units : greatest_integer;
     if (!times.empty() && times.back() / result.resolution_ms > most)
-        result.reason = "a duration has too many time units; use a coarser `--resolution`";
+        result.reason = "a duration has too many time units; use a coarser `--resolution`, or round the durations";
     else if (question.are_identical()) question.answer_identical();
     else question.answer();
     const bool exact_time = result.resolution_ms == 1 && !result.interval_ms && !options.resolution_ms;

@@ -183,8 +183,8 @@ private:
     void report_not_ignored(const std::string& name) {
         for (const std::size_t k : {0U, 1U})
             if (reports_stop(k, name)) {
-                reject(fmt::format("`--ignore {}` omits the output `{}` of {}, which reports a stop by `{}`", name,
-                                   result_.stop_outputs[k], sides_[k].label, stop_text()),
+                reject(fmt::format("`--ignore {}` omits the output `{}` of {}, which reports a stop according to `{}`",
+                                   name, result_.stop_outputs[k], sides_[k].label, stop_text()),
                        "remove one of these options");
                 return;
             }

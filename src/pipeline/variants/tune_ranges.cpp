@@ -94,7 +94,8 @@ private:
         };
         if (constant.kind == NamedConstant::Kind::Boolean)
             return wrong(fmt::format("the constant `{}` is Boolean", constant.name),
-                         "`--over` accepts numbers and durations; use `--set` with `true` and with `false`");
+                         "`--over` accepts only numbers and durations; run the command twice, with `--set NAME=true` "
+                         "and `--set NAME=false`");
         const auto low = value_of(constant.kind, written.low), high = value_of(constant.kind, written.high);
         const auto step = written.step.empty() ? std::optional<std::int64_t>(duration ? 1000 : 1)
                                                : value_of(constant.kind, written.step);
@@ -132,7 +133,7 @@ private:
         fail(
             {},
             fmt::format("the grid has {:.0f} points, but at most {} are allowed; at one millisecond per point, reading "
-                        "their models needs {:.1f} hours",
+                        "the models of all points would take {:.1f} hours",
                         points, most_points, hours),
             "use larger steps or smaller ranges");
     }

@@ -155,7 +155,7 @@ std::vector<std::vector<tree::Action>> agrafe_actions(AgrafeReader& reader) {
         for (const pugi::xml_node& link : grafcet.children()) {
             if (!is(link, "actionLinks")) continue;
             if (!attribute(link, "actionType") || !attribute(link, "step")) {
-                reader.diagnostics().add(messages::without_effect(reader.xml.where(link), "an action link with one end",
+                reader.diagnostics().add(messages::without_effect(reader.xml.where(link), "an incomplete action link",
                                                                   "link it to a step and an action, or remove it"));
                 continue;
             }

@@ -227,7 +227,7 @@ std::optional<tree::Transition> transition_of(AgrafeReader& reader, std::size_t 
     transition.condition = agrafe_term(reader, term);
     if (time.kind == AgrafeTime::Kind::Limited)
         reader.draft.refuse(reader.xml.where(one.node, "timeConditionType"), "a time-limited transition",
-                            "write the time in the condition, because IEC 60848 limits only actions in time");
+                            "write the time in the condition, because IEC 60848 defines time limits only for actions");
     else if (time.kind != AgrafeTime::Kind::None && transition.condition.valid())
         transition.condition = timed(reader, time, transition.condition, reader.xml.where(one.node, "delayTime"));
     if (!transition.condition.valid() && reader.diagnostics().errors() != errors)

@@ -24,7 +24,7 @@ void misplaced(AgrafeReader& reader, pugi::xml_node arc, Kind from, Kind to) {
     what.append(described(from)).append(" to ").append(described(to));
     reader.diagnostics().add(messages::misplaced_link(
         reader.xml.where(arc), what,
-        from == Kind::Transition ? "put a step between them" : "put a transition between them"));
+        from == Kind::Transition ? "put a step between the transitions" : "put a transition between the steps"));
 }
 
 void read_arc(AgrafeReader& reader, pugi::xml_node arc) {

@@ -244,7 +244,7 @@ Id<st::Expr> interval_of(PlcopenReader& reader, pugi::xml_node task) {
         const std::string kind = value(settings, "KindOfTask"), unit = value(settings, "IntervalUnit");
         if (!settings) continue;
         if (kind != "Cyclic" && kind != "Freewheeling")
-            reader.refuse(reader.xml.where(settings, "KindOfTask"), "a task that an event starts",
+            reader.refuse(reader.xml.where(settings, "KindOfTask"), "an event-triggered task",
                           "give the task an interval");
         if (kind != "Cyclic" || value(settings, "Interval").empty()) continue;
         const std::int64_t factor = unit == "us" ? 1 : unit == "ms" ? 1000 : unit == "s" ? 1'000'000 : 0;
@@ -254,7 +254,7 @@ Id<st::Expr> interval_of(PlcopenReader& reader, pugi::xml_node task) {
         if (factor == 0 || failure != std::errc() || end != text.data() + text.size() || number <= 0 ||
             number > 1'000'000'000 || number * factor % 1000 != 0) {
             reader.refuse(reader.xml.where(settings, "Interval"), "this interval of a task",
-                          "use a whole number of milliseconds");
+                          "use a positive whole number of milliseconds");
             continue;
         }
         known = number * factor / 1000;
@@ -279,7 +279,7 @@ void read_tasks(PlcopenReader& reader, pugi::xml_node resource) {
     for (const pugi::xml_node& node : children(resource, "task")) {
         st::Task task{reader.name(value(node, "name"), reader.xml.where(node, "name")), {}, reader.xml.where(node)};
         if (const pugi::xml_attribute single = attribute(node, "single"); single && *single.value() != '\0')
-            reader.refuse(reader.xml.where(node, "single"), "a task that an event starts", "give the task an interval");
+            reader.refuse(reader.xml.where(node, "single"), "an event-triggered task", "give the task an interval");
         if (attribute(node, "interval")) {
             const Id<st::Expr> interval = interval_of(reader, node);
             if (interval.valid()) {

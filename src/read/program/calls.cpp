@@ -53,7 +53,7 @@ std::optional<Reader::Callee> Reader::callee(Id<st::Expr> path) {
             unit != units_.end() && !scopes_[unit_.index].variables.contains(from.word.index)) {
             const bool function = file_->units[unit->second].kind == st::UnitKind::Function;
             reject(from.where, function ? "a function call as a statement" : "a call of a type",
-                   function ? "assign its value" : "declare an instance and call it");
+                   function ? "assign its value to a variable" : "declare an instance and call it");
             return {};
         }
         if (scopes_[unit_.index].members.contains({from.word.index, file_->intern("A").index}))
@@ -154,7 +154,7 @@ void Reader::invoke(Id<st::Expr> call, Program::Body& body) {
             const std::uint32_t begin = to->place.offset, end = begin + size_of(program, to->type);
             for (const auto& [first, last] : passed)
                 if (begin < last && first < end)
-                    reject(part.where, "a variable passed twice as VAR_IN_OUT", "pass two variables");
+                    reject(part.where, "a variable passed twice as VAR_IN_OUT", "pass two different variables");
             passed.emplace_back(begin, end);
         } else if (is_composite(cell.type)) {
             if (const auto whole = variable(actual)) copy(cell, *whole, part.where, body);

@@ -98,7 +98,7 @@ public:
             if (step.initial && step.entry.valid())
                 reject(file_.exprs[step.entry].where, "an entry action of the initial step", "move it to a later step");
             if ((step.entry.valid() || step.exit.valid()) && repeats(network, step))
-                reject(step.where, "an entry or exit action of a step that a transition leaves and activates",
+                reject(step.where, "an entry or exit action of a step that the same transition leaves and activates",
                        "use a second step");
             for (const st::Association& association : step.actions) add_codesys(step, association);
         }
@@ -170,7 +170,7 @@ private:
         const auto qualifier = std::ranges::find(qualifiers, association.qualifier, &Qualifier::name);
         if (association.unread)
             return reject(association.where, "an action block with an indicator variable",
-                          "give only the qualifier and a duration");
+                          "remove the indicator variable");
         if (!association.path.valid())
             return reject(association.where, "an action block without a name", "name an action or a Boolean variable");
         if (qualifier == qualifiers.end() || std::ranges::find(accepted, association.qualifier) == accepted.end())
@@ -269,7 +269,7 @@ private:
         const auto qualifier = std::ranges::find(qualifiers, association.qualifier, &Qualifier::name);
         if (association.unread)
             return reject(association.where, "an action block with an indicator variable",
-                          "give only the qualifier and a duration");
+                          "remove the indicator variable");
         if (qualifier == qualifiers.end())
             return reject(association.where, "the qualifier `" + association.qualifier + "`",
                           "use one of N, R, S, L, D, P, SD, DS, SL, P0, P1");

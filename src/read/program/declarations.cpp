@@ -282,14 +282,15 @@ bool Reader::is_allowed(const Unit& unit, const st::Variable& from, Id<Type> typ
         what = "an output of a function";
         hint = "use a function block";
     } else if (function && from.section == st::Section::Input && !is_elementary(type)) {
-        what = "an input of a function with this type";
+        what = "a function input of this type";
         hint = "use a function block";
     } else if (composite && from.initial.valid()) {
         what = of.kind == Type::Kind::Array ? "an initial value of an array" : "an initial value of an instance";
         hint = "assign its elements or members in a statement";
     } else if (!from.address.empty() && ((!is_program && !incomplete) || function || composite)) {
         what = "an address of this variable";
-        hint = "declare it in a program or in VAR_GLOBAL, or as `AT %I*`";
+        hint =
+            "use addresses only for elementary variables of a program or VAR_GLOBAL, or `AT %I*` in a function block";
     }
     if (!what.empty()) reject(where, what, hint);
     return what.empty();
@@ -415,7 +416,7 @@ void Reader::task_of(const st::Instance& instance) {
             const st::Expr& value = file_->exprs[node.first.valid() ? node.first : argument];
             if (name == "INTERVAL" && value.op == st::Op::Time) {
                 if (value.value > 0) program.interval_ms = value.value;
-            } else reject(node.where, "this parameter of a task", "give `INTERVAL` as a duration");
+            } else reject(node.where, "this parameter of a task", "use only `PRIORITY` and a duration as `INTERVAL`");
         }
         return;
     }

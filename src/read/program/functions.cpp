@@ -118,7 +118,8 @@ Reader::MaybeTyped Reader::shift(Id<st::Expr> id, Op op) {
     }
     const auto places = value_of(values[1].node);
     if (!places || type(values[1]).kind != Type::Kind::Integer || *places < 0)
-        return reject(where, "a shift by this number of bits", "use a constant that is not negative"), std::nullopt;
+        return reject(where, "a shift or rotation by this number of bits", "use a nonnegative integer constant"),
+               std::nullopt;
     const std::int64_t width = std::popcount(static_cast<std::uint64_t>(type(values[0]).high));
     const bool rotates = op == Op::RotateLeft || op == Op::RotateRight;
     const Id<Node> count = number(rotates ? *places % width : std::min(*places, width), dint_, where);
@@ -139,7 +140,8 @@ Reader::MaybeTyped Reader::conversion(Id<st::Expr> id, const std::string& name) 
                 is_number(program.types[found == from ? to->second : from->second]));
     };
     if (!simple(from) || !simple(to)) {
-        reject(where, "the conversion `" + name + "`", "convert between BOOL, bit strings, integers and TIME");
+        reject(where, "the conversion `" + name + "`",
+               "convert only between BOOL, bit strings and integers, or between an integer and TIME");
         return {};
     }
     const Id<Type> from_type = from->second, to_type = to->second;

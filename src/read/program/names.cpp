@@ -71,7 +71,10 @@ std::optional<Reader::Found> Reader::variable(Id<st::Expr> path) {
         return reject(from.where, "a direct address in a statement", "declare a variable `AT` this address"),
                std::nullopt;
     case st::Op::Dereference: return reject(from.where, "a pointer", "use the variable itself"), std::nullopt;
-    default: return reject(from.where, "this variable", "use a name, or an output of an instance"), std::nullopt;
+    default:
+        return reject(from.where, "this expression in place of a variable",
+                      "use a variable or an output of an instance"),
+               std::nullopt;
     }
 }
 
@@ -113,7 +116,7 @@ std::optional<Reader::Found> Reader::member(Id<st::Expr> path) {
     if (!owner) return {};
     const Type& type = program.types[owner->type];
     if (type.kind != Type::Kind::Block) {
-        diagnostics->add(messages::program_type_mismatch(owner_expr.where, "the owner of a member",
+        diagnostics->add(messages::program_type_mismatch(owner_expr.where, "the variable before `.`",
                                                          "an instance of a function block or a structure",
                                                          "`" + type.name + "`"));
         return {};

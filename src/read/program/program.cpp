@@ -47,7 +47,8 @@ void remove_redefined_blocks(st::File& file, std::size_t user, Diagnostics& diag
                                       [&](const st::Unit& unit) { return unit.name.word == standard.name.word; });
         if (own == end) return false;
         diagnostics.add(messages::not_standard(
-            own->name.where, "a definition of `" + std::string(file.text(own->name)) + "` in the file",
+            own->name.where,
+            "a unit with the name of the standard function block `" + std::string(file.text(own->name)) + "`",
             "a replacement of the standard function block"));
         return true;
     });

@@ -69,18 +69,18 @@ public:
 private:
     void property(const YAML::Node& from) {
         if (!from.IsMap())
-            return reject(where(from), "this property is not a map", "write `id: P1` and `kind: invariant`");
+            return reject(where(from), "this property is not a map", "write keys with values, such as `id: P1`");
         ProgramProperty made;
         made.origin = where(from);
         std::map<std::string, YAML::Node> entries;
         for (const auto& entry : from) {
             if (!entry.first.IsScalar()) {
-                reject(where(entry.first), "this key is not a single word",
-                       "use `id`, `kind`, `expression` or `variables`");
+                reject(where(entry.first), "this key is a list or a map",
+                       "write a word such as `id`, `kind` or `expression`");
                 continue;
             }
             if (!entries.emplace(entry.first.Scalar(), entry.second).second)
-                reject(where(entry.first), "the key `" + entry.first.Scalar() + "` occurs twice", "remove one of them");
+                reject(where(entry.first), "the key `" + entry.first.Scalar() + "` occurs twice", "remove one entry");
         }
         const auto word = [&](const char* key) -> std::optional<std::string> {
             const auto found = entries.find(key);
@@ -104,9 +104,8 @@ private:
             std::vector<std::string> names;
             for (const KindName& each : kinds) names.emplace_back(each.name);
             const std::string nearest = nearest_of(*kind, names);
-            return reject(
-                where(entries["kind"]), "`" + *kind + "` is not a kind of property",
-                nearest.empty() ? "use a kind of the property format 0.1" : "did you mean `" + nearest + "`?");
+            return reject(where(entries["kind"]), "`" + *kind + "` is not a kind of property",
+                          nearest.empty() ? "use a kind such as `invariant`" : "did you mean `" + nearest + "`?");
         }
         made.kind = known->kind;
         for (const auto& [key, value] : entries) check_key(made.kind, key, value);
@@ -139,7 +138,7 @@ private:
         }
         if (entries.contains("location"))
             reject(where(entries["location"]), "an assertion at a `location` in the program is not supported",
-                   "write an `expression` that holds at the end of each scan");
+                   "omit `location`, and write an `expression` that must be true at the end of each scan");
         const YAML::Node expression = entries["expression"];
         if (!expression.IsDefined() || !expression.IsScalar())
             return reject(made.origin, "the property has no `expression`",
@@ -170,7 +169,8 @@ private:
         else if (word == "div_zero") made.error = Error::DivisionByZero;
         else if (word == "array_bounds") made.error = Error::ArrayBounds;
         else
-            return reject(made.origin, "the property has no `subtype`", "use `overflow`, `div_zero` or `array_bounds`");
+            return reject(made.origin, "the property has no valid `subtype`",
+                          "use `overflow`, `div_zero` or `array_bounds`");
         made.text = "no " + word;
     }
 

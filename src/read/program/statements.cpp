@@ -121,7 +121,8 @@ void Reader::copy(const Found& to, const Found& from, Span where, Program::Body&
         return;
     }
     if (from.constant)
-        return reject(where, "a constant array or structure as a complete value", "assign its elements or members");
+        return reject(where, "a copy of a complete constant array or structure",
+                      "copy its elements or members separately");
     copy_cells(to.place, from.place, to.type, where, body);
 }
 
@@ -208,7 +209,8 @@ void Reader::case_statement(const st::Statement& from, Program::Body& body) {
         if (selector->literal ||
             (kind != Type::Kind::Integer && kind != Type::Kind::Enumeration && kind != Type::Kind::Bits))
             diagnostics->add(messages::program_type_mismatch(file_->exprs[from.value].where, "the selector",
-                                                             "an integer or an enumeration", described(*selector)));
+                                                             "an integer, a bit string or an enumeration",
+                                                             described(*selector)));
         else of = program.nodes[selector->node].type;
     }
     for (const st::Branch& branch : from.branches) {
@@ -251,8 +253,8 @@ void Reader::for_statement(const st::Statement& from, Program::Body& body) {
     made.origin = from.where;
     const auto cell = target(from.target);
     if (cell && (program.types[cell->type].element.valid() || !cell->place.indices.empty()))
-        return reject(file_->exprs[from.target].where, "a subrange or array element as the variable of FOR",
-                      "use a variable of an integer type");
+        return reject(file_->exprs[from.target].where, "a FOR variable of a subrange type, or with a variable index,",
+                      "use a variable of an integer type without a variable index");
     if (cell && program.types[cell->type].kind != Type::Kind::Integer) {
         diagnostics->add(messages::program_type_mismatch(file_->exprs[from.target].where, "the variable of FOR",
                                                          "an integer", "`" + program.types[cell->type].name + "`"));

@@ -91,8 +91,8 @@ std::optional<Id<Type>> Reader::type_of(const st::Type& type, Span where) {
     };
     const Level level(type_depth_);
     if (type_depth_ > most_types)
-        return reject(where, fmt::format("a type that contains more than {} levels of types", most_types),
-                      "reduce the levels"),
+        return reject(where, fmt::format("a type with more than {} levels of nesting", most_types),
+                      "reduce the nesting"),
                std::nullopt;
     if (!type.values.empty()) return enumeration("enumeration", type, where);
     if (!type.dimensions.empty()) return array(type, where);
@@ -165,7 +165,7 @@ std::optional<Id<Type>> Reader::array(const st::Type& type, Span where) {
         std::array<std::int64_t, 2> bounds = {};
         for (std::size_t side = 0; side < 2; ++side) {
             const Id<st::Expr> bound = type.dimensions[i][side];
-            if (!bound.valid()) return reject(where, "this array", "write its bounds as `1..10`"), std::nullopt;
+            if (!bound.valid()) return reject(where, "this array", "write bounds such as `1..10`"), std::nullopt;
             const auto known = constant(bound, dint_);
             if (!known) return {};
             bounds[side] = *known;
@@ -173,7 +173,7 @@ std::optional<Id<Type>> Reader::array(const st::Type& type, Span where) {
         const std::int64_t count = bounds[1] - bounds[0] + 1;
         if (count < 1) return reject(where, "an array without elements", "write the smaller bound first"), std::nullopt;
         if (count * std::max<std::int64_t>(size_of(program, *element), 1) > most_elements) {
-            diagnostics->add(messages::program_too_large(where, "elements of an array", most_elements));
+            diagnostics->add(messages::program_too_large(where, "elementary variables in one array", most_elements));
             return {};
         }
         Type made{Type::Kind::Array, {}, bounds[0], bounds[1], {}, {}, *element};

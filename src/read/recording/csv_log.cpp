@@ -17,7 +17,7 @@ bool LogReader::open_csv() {
         columns_.push_back({name.text, lines_.span(rest_.substr(name.begin, name.end - name.begin))});
     }
     if (!columns_.empty()) return true;
-    return fail(where(), "the first line has only one column; write the time and the names of variables");
+    return fail(where(), "the first line has only one column; write a time column and a column for each variable");
 }
 
 bool LogReader::next_csv(LogRow& row) {
@@ -38,7 +38,8 @@ bool LogReader::read_csv(LogRow& row) {
     if (!time_us)
         return fail(
             lines_.span(part(time)),
-            fmt::format("`{}` is not a time; write seconds such as `12.25`, or `250ms`", messages::clipped(time.text)));
+            fmt::format("`{}` is not a time; write seconds, as in `12.25`, or a number with a unit, as in `250ms`",
+                        messages::clipped(time.text)));
     row.time_us = *time_us;
     row.line = lines_.number();
     std::size_t column = 0;

@@ -50,7 +50,10 @@ bool LogReader::read_json(LogRow& row, bool first) {
     if (!object.is_object()) return fail(where(), "the line is not a JSON object; write one object per line");
     const auto time = object.find("time");
     const auto time_us = time == object.end() ? std::nullopt : time_of(*time);
-    if (!time_us) return fail(where(), "the member `time` is missing or is not a time; write seconds or `\"250ms\"`");
+    if (!time_us)
+        return fail(where(),
+                    "the member `time` is missing or is not a time; write a number of seconds, or a string such as "
+                    "`\"250ms\"`");
     row.time_us = *time_us;
     row.line = lines_.number();
     for (const auto& [name, value] : object.items()) {
@@ -63,7 +66,7 @@ bool LogReader::read_json(LogRow& row, bool first) {
         if (first || is_ignored(column->second)) continue;
         const auto number = value_of(value);
         if (!number)
-            return fail(where(), fmt::format("the value of `{}` is neither a Boolean nor an integer; replace it",
+            return fail(where(), fmt::format("the value of `{}` is neither a Boolean nor an integer; correct it",
                                              messages::clipped(name)));
         if (!put(row, {column->second, *number}, lines_.line())) return false;
     }

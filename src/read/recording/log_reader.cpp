@@ -133,7 +133,7 @@ bool LogReader::put(LogRow& row, LogValue value, std::string_view part) {
 bool LogReader::next_line() {
     while (may_continue() && lines_.next()) {
         if (!lines_.is_too_long()) return true;
-        fail(lines_.span(std::string_view(lines_.line()).substr(0, 1)), "the line is longer than 1 MiB; split it");
+        fail(lines_.span(std::string_view(lines_.line()).substr(0, 1)), "the line is longer than 1 MiB; shorten it");
     }
     return false;
 }

@@ -80,8 +80,8 @@ public:
             if (elsewhere(read, where) && reported_.insert(read + "?").second)
                 found.push_back("`" + read +
                                 "` is read by one action and assigned by another: the Sequential Function Chart "
-                                "executes the actions sequentially, but in the imported chart both actions read the "
-                                "previous value");
+                                "executes the actions sequentially, but in the imported chart the reading action "
+                                "uses the value before the evolution");
         return found;
     }
 

@@ -71,7 +71,7 @@ private:
         if (value.kind == SfcKind::Bad) return {};
         const SfcVariable& target = variable_of(sfc_, path, where, value.kind, true);
         if (target.role == tree::VariableKind::Input) {
-            refuse(where, "an assignment to the input `" + path + '`', "assign a variable of the chart");
+            refuse(where, "an assignment to the input `" + path + '`', "assign an output or a local variable");
             return left_out(std::move(state));
         }
         const tree::Expr node = sfc_.draft[value.expr];
@@ -99,7 +99,8 @@ private:
                 return refuse(statement.where, "an action that calls itself", "replace the call by statements");
             return run(action.body, std::move(state), calls + 1);
         }
-        refuse(statement.where, "a call of a function block", "replace the block by Boolean and integer variables");
+        refuse(statement.where, "a call of a function block",
+               "replace the call by assignments to BOOL or integer variables");
         return left_out(std::move(state));  // the results of the call become inputs of the chart
     }
 

@@ -3,8 +3,7 @@
 // SFC and GRAFCET are treated as follows:
 //
 // - If several transitions after one step are enabled, SFC clears only the transition with the highest priority.
-// Therefore the
-//   conditions are made mutually exclusive.
+//   Therefore the conditions are made mutually exclusive.
 // - A Boolean variable with the qualifier N is true while its step is active; with the qualifier D, only after the
 //   delay; with the qualifier L, only until the time limit. The qualifiers N, D and L become continuous actions. The
 //   qualifiers S and R, which set and reset a variable when their step becomes active, become stored actions. For P,
@@ -46,12 +45,12 @@ struct SfcTerm {
 };
 
 struct SfcVariable {
-    std::string name = {};  ///< name of the variable in the input language
+    std::string name = {};  ///< name of the variable in the grafverif language
     Span where = {};
     SfcKind kind = SfcKind::Boolean;  ///< Bad if charts do not support the type
     tree::VariableKind role = tree::VariableKind::Input;
     bool constant = false;  ///< true if `initial` replaces the variable
-    bool wide = false;      ///< true if the type has values that the input language lacks
+    bool wide = false;      ///< true if the type has values that the grafverif language lacks
     bool narrow = false;    ///< true if the variable has a declared range
     std::int64_t initial = 0, low = 0, high = 1;
     std::string comment = {};
@@ -63,7 +62,8 @@ struct SfcVariable {
 struct SfcEffect {
     Id<tree::Expr> set = {}, keep = {}, value = {};
 };
-using SfcEffects = std::map<std::string, SfcEffect>;  ///< effect for each variable, by its name in the input language
+/// The effect for each variable, by the name of the variable in the grafverif language.
+using SfcEffects = std::map<std::string, SfcEffect>;
 
 struct Sfc {
     const st::File& file;
@@ -71,7 +71,7 @@ struct Sfc {
     Draft& draft;
     std::vector<SfcVariable> variables = {};
     std::unordered_map<std::string, std::size_t> by_name = {};  ///< for each path in upper case: index of the variable
-    std::unordered_map<Id<st::Word>, std::string> steps = {};   ///< names of steps in the input language
+    std::unordered_map<Id<st::Word>, std::string> steps = {};   ///< for each step: its name in the grafverif language
     LegalNames names;
 
     Diagnostics& diagnostics() { return draft.diagnostics(); }
@@ -114,8 +114,8 @@ struct SfcBody {
 std::optional<SfcBody> body_of(Sfc& sfc, const st::Block& block);
 
 // -- actions.cpp
-/// The actions of each step (the key is the name of the step in the input language), and the actions that do not depend
-/// on a step.
+/// The actions of each step (the key is the name of the step in the grafverif language), and the actions that do not
+/// depend on a step.
 struct SfcActions {
     std::unordered_map<std::string, std::vector<tree::Action>> of_steps = {};
     std::vector<tree::Action> always = {};

@@ -55,10 +55,10 @@ SfcTerm refused(Sfc& sfc, Span where, std::string_view what,
 SfcTerm variable_term(Sfc& sfc, const SfcScope& scope, const std::string& path, Span where, SfcKind expected) {
     const SfcVariable& variable = variable_of(sfc, path, where, expected, false);
     if (variable.kind == SfcKind::Bad)
-        return refused(sfc, where, "`" + path + "`, which is not BOOL, integer or TIME,");
+        return refused(sfc, where, "`" + path + "`, which is neither BOOL nor an integer nor TIME,");
     if (variable.constant || variable.kind == SfcKind::Time) {
         if (variable.kind == SfcKind::Time && !variable.constant)
-            return refused(sfc, where, "the TIME variable `" + path + "` without a constant value,",
+            return refused(sfc, where, "the TIME variable `" + path + "` without a constant value",
                            "declare an initial value, and do not assign the variable");
         if (variable.kind == SfcKind::Boolean)
             return {sfc.draft.constant(variable.initial != 0, where), SfcKind::Boolean};
@@ -256,7 +256,7 @@ std::optional<std::int64_t> duration_of(Sfc& sfc, const SfcScope& scope, Id<st::
     const SfcTerm term = term_of(sfc, scope, expr, SfcKind::Time);
     if (term.kind == SfcKind::Time) return sfc.draft[term.expr].value;
     if (term.kind != SfcKind::Bad)
-        refused(sfc, sfc.file.exprs[expr].where, "an invalid duration", "write it as in `T#5s`");
+        refused(sfc, sfc.file.exprs[expr].where, "an invalid duration", "write a duration such as `T#5s`");
     return {};
 }
 

@@ -91,7 +91,7 @@ void print_scans(const Comparison& comparison, std::ostream& out) {
     const Comparison::ScanOutputs &a = comparison.answers[0].back(), &b = comparison.answers[1].back();
     if (!a.stop.empty() && !b.stop.empty()) out << "  in the last scan, a and b both stop\n";
     else if (!a.stop.empty() || !b.stop.empty())
-        out << fmt::format("  in the last scan, `{}` stops and the other continues\n", a.stop.empty() ? "b" : "a");
+        out << fmt::format("  in the last scan, only `{}` stops\n", a.stop.empty() ? "b" : "a");
     else
         out << fmt::format("  in the last scan, {} differ in {}\n", sides_text(comparison),
                            printable(differing(comparison, a, b)));
@@ -110,8 +110,8 @@ bool has_program(const Comparison& comparison) { return comparison.programs[0] |
 std::string_view replay_text(const Comparison& comparison) {
     if (!has_program(comparison)) return "under the rules of IEC 60848";
     return comparison.programs[0] && comparison.programs[1]
-               ? "on the interpreter of programs"
-               : "under the rules of IEC 60848 and on the interpreter of programs";
+               ? "by the program interpreter"
+               : "under the rules of IEC 60848 and by the program interpreter";
 }
 
 /// Returns text that defines the term "scan" for this comparison.
@@ -148,7 +148,7 @@ void print_basis(const Comparison& comparison, std::ostream& out) {
                 "later scans are not compared\n",
                 k == 0 ? "a" : "b", printable(comparison.stop_outputs[k]));
     if (!comparison.restricted.empty())
-        out << "  these inputs of the program are compared only for the values of the chart's inputs: "
+        out << "  these inputs of the program are restricted to the ranges of the chart's inputs: "
             << printable(names_text(comparison.restricted)) << '\n';
     if (!comparison.ignored.empty())
         out << "  these outputs are not compared: " << printable(names_text(comparison.ignored)) << '\n';

@@ -103,7 +103,8 @@ void print_scores(const Mutation& mutation, std::ostream& out) {
     for (const std::string& property : mutation.undecided)
         undecided += (undecided.empty() ? "" : ", ") + printable(property);
     if (!undecided.empty())
-        out << fmt::format("not considered, because the verdict on the original is unknown: {}\n", undecided);
+        out << fmt::format("properties ignored, because their verdicts on the original chart are unknown: {}\n",
+                           undecided);
 }
 
 void print_mutant(const Mutation& mutation, std::size_t index, const Sources& sources, std::ostream& out) {
@@ -166,7 +167,7 @@ void print_mutation(const Mutation& mutation, const Sources& sources, std::ostre
     const auto counted = [&](ResultKind kind, const char* words) {
         if (const std::size_t count = count_of(mutation, kind)) out << fmt::format("{:>5} {}\n", count, words);
     };
-    counted(ResultKind::Equivalent, "equivalent: proved to have the same outputs");
+    counted(ResultKind::Equivalent, "equivalent: proved to have the outputs of the original");
     counted(ResultKind::Noticed, "killed by a property");
     counted(ResultKind::Unnoticed, "survived: different outputs, but killed by no property");
     counted(ResultKind::Refused, "invalid: rejected as input");

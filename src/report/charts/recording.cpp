@@ -57,7 +57,7 @@ void print_deviation(const RecordingVerdict& verdict, const RecordingReport& rep
     const Deviation& deviation = *verdict.deviation;
     out << fmt::format("  {}:{}: {}\n", printable(report.log), deviation.line, printable(deviation_text(deviation)));
     out << fmt::format("  active steps: {}\n", printable(deviation.situation));
-    out << "  " << no_timing_text(verdict) << " The timing that explains most of the recording"
+    out << "  " << no_timing_text(verdict) << " The timing that agrees with the longest part of the recording"
         << (is_printed_completely(verdict) ? ":\n" : " ends with:\n");
     print_trace(printed_run(verdict.run), out);
 }

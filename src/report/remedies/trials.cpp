@@ -34,9 +34,9 @@ std::vector<std::string> remedies_text(const std::vector<Trial>& trials, bool du
     };
     double seconds = 0;
     for (const Trial& trial : trials) seconds += trial.seconds;
-    std::vector<std::string> lines = {
-        fmt::format("{}, tried on this model{}:", trials.front().decided.empty() ? "no remedy was found" : "remedies",
-                    duration(" for ", seconds, ""))};
+    std::vector<std::string> lines = {fmt::format(
+        "{} on this model{}:", trials.front().decided.empty() ? "no remedy was found in trials" : "remedies, tried",
+        duration(" for ", seconds, ""))};
     std::string without;
     for (const Trial& trial : trials) {
         std::string verdicts;

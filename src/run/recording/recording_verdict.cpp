@@ -61,7 +61,8 @@ Deviation RecordingCheck::deviation() const {
 }
 
 /// For each clock: the range of its offset in the timings that are admissible so far. If no timing is admissible: the
-/// range in the timing that explains most of the recording, or nothing if a limit or a model error ended the check.
+/// range in the timing that agrees with the longest part of the recording. The result is empty if a limit or a model
+/// error ended the check.
 std::vector<ClockOffset> RecordingCheck::offsets() const {
     std::vector<Zone> zones;
     for (const Hypothesis& hypothesis : hypotheses_)
@@ -88,13 +89,13 @@ RecordingVerdict RecordingCheck::verdict() const {
     if (!begun_ || !hypotheses_.empty()) return result;
     if (limit_ != Limit::None) {
         result.kind = Kind::Unknown;
-        const std::string remedy = settings_.clocks.empty() ? "reduce the jitter" : "reduce the jitter or the skew";
+        const std::string remedy = settings_.clocks.empty() ? "reduce `--jitter`" : "reduce `--jitter` or `--skew`";
         result.reason = limit_ == Limit::Orders      ? "too many orders of events are possible; " + remedy
                         : limit_ == Limit::Reactions ? "too many possible sequences of instants between two samples; "
                                                        "record more samples or " +
                                                            remedy
-                                                     : "stopped before the end of the log; no deviation up to this "
-                                                       "sample";
+                                                     : "stopped before the end of the log; no deviation up to the last "
+                                                       "sample read";
     } else if (!problem_.empty() || !end_) {
         result.kind = Kind::Unknown;
         result.reason = fmt::format(

@@ -62,7 +62,7 @@ struct Group {
 const std::array<Group, 4> declarations = {{
     {"a declaration of the chart", Symbols::S_STEP, Symbols::S_TRANSITION},
     {"a declaration of the component", Symbols::S_LOCATION, Symbols::S_URGENT},
-    {"a declaration of the loop", Symbols::S_PLANT, Symbols::S_PROPERTY},
+    {"a declaration of the closed loop", Symbols::S_PLANT, Symbols::S_PROPERTY},
     {"`grafcet`, `component`, `closed_loop`, `program` or `include`", Symbols::S_GRAFCET, Symbols::S_INCLUDE},
 }};
 

@@ -135,10 +135,11 @@ void print_automaton(std::ostream& out, const Automaton& automaton, bool details
     out << fmt::format("{0}{1} locations, INIT included\n{0}{2} evolutions, {3} of them from INIT\n", least,
                        count.locations, count.evolutions, count.evolutions_from_init);
     if (automaton.mode == ExecutionMode::StabilitySearch)
-        out << least
-            << fmt::format(
-                   "{} pairs of a location and inputs never stabilise{}\n", count_text(count.unstable),
-                   count.unstable_from_init == 0 ? "" : ", and " + count_text(count.unstable_from_init) + " of INIT");
+        out << "pairs of location and inputs for which the situation never becomes stable: " << least
+            << fmt::format("{}{}\n", count_text(count.unstable),
+                           count.unstable_from_init == 0
+                               ? ""
+                               : ", and " + count_text(count.unstable_from_init) + " more from INIT");
     if (!is_true(automaton.exprs, automaton.assumed))
         out << "assumed: " << condition_text(automaton, automaton.assumed) << '\n';
     for (const Automaton::Input& input : automaton.inputs)

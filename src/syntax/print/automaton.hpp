@@ -4,8 +4,8 @@
 //
 // AutomatonCounts contains the numbers of locations and evolutions, including INIT (the controller after power-on,
 // before its first cycle) and its outgoing evolutions. `unstable` is the number of pairs of a location and an input
-// combination from which the chart reaches no stable situation. `unstable_from_init` is the number of these pairs for
-// INIT.
+// combination from which the chart reaches no stable situation, without INIT. `unstable_from_init` is the number of
+// such input combinations for INIT.
 #pragma once
 
 #include <iosfwd>

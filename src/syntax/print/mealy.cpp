@@ -104,7 +104,8 @@ void print_mealy(std::ostream& out, const Machine& machine, bool details) {
     const auto text = [](std::optional<std::uint64_t> count) { return count ? std::to_string(*count) : "very many"; };
     out << fmt::format("Mealy machine of {}, {}\n{} states\n{} transitions, one per state and combination of inputs",
                        machine.name, word(machine.mode), machine.states.size(), text(transition_count(machine)));
-    if (machine.unstable_pairs != 0) out << "; " << text(machine.unstable_pairs) << " of them never stabilise";
+    if (machine.unstable_pairs != 0)
+        out << "; for " << text(machine.unstable_pairs) << " of them, the situation never becomes stable";
     out << '\n';
     if (!is_true(machine.exprs, machine.assumed))
         out << "assumed: " << condition_text(machine, machine.assumed) << '\n';
@@ -120,7 +121,9 @@ void print_mealy(std::ostream& out, const Machine& machine, bool details) {
                 "    {}{} -> {} / {}\n", one.wait_ms != 0 ? "wait " + duration_text(one.wait_ms) + ", " : "",
                 condition_text(machine, one.condition), one.to.index, result_text(machine, one.answer, "no output"));
         for (const Machine::Unstable& one : machine.unstable)
-            if (one.from == id) out << "    " << condition_text(machine, one.condition) << " never stabilises\n";
+            if (one.from == id)
+                out << "    when " << condition_text(machine, one.condition)
+                    << ", the situation never becomes stable\n";
     }
 }
 

@@ -181,7 +181,7 @@ TEST(Certify, AcceptsAShownRunAndRejectsAFalseClaim) {
     EXPECT_NE(shown.out.find("lit: holds, shown by a run\ndark: not certified: no claim\n"), std::string::npos);
     const Certified not_shown = certify(write_certificate(folder, lamp, "holds lit\n0 0\nend\n"));
     EXPECT_EQ(not_shown.code, 1);
-    EXPECT_EQ(not_shown.out, "rejected: the run of `lit` does not prove its verdict\n");
+    EXPECT_EQ(not_shown.out, "rejected: the run of `lit` does not prove the verdict\n");
     const std::string states = "0 0 \n";
     folder.write("states.txt", states);
     const Certified open = certify(write_certificate(folder, lamp, "states " + checksum(states) + "\nholds dark\n"));
@@ -282,7 +282,8 @@ TEST(Certify, RejectsSubsystemsThatDependOnEachOther) {
     const std::string writes = head +
                                "edge 0 0 1\nset A (not A)\nprocess q 1 0\nedge 0 0 1\nset A (not B)\n"
                                "property lives no-deadlock\n";
-    EXPECT_EQ(check(writes, {left, right}), "rejected: an edge concerns several subsystems\n");
+    EXPECT_EQ(check(writes, {left, right}),
+              "rejected: an edge of another subsystem changes a value of this subsystem\n");
     const std::string blocked = head +
                                 "edge 0 0 0\nset A (not A)\nprocess q 1 0\nedge 0 0 1\nset B (not B)\n"
                                 "property lives no-deadlock\n";

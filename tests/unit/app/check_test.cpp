@@ -275,7 +275,7 @@ TEST(Check, PrintsProofCoresOnRequest) {
     EXPECT_TRUE(text.out.ends_with(
         "\n"
         "proof dependencies (10 additional searches):\n"
-        "small, off: fails without `N < 2` of t0; holds for all behaviour of the plant and the timers\n"
+        "small, off: fails without `N < 2` of t0; holds for any behaviour of the plant and the timers\n"
         "seen: fails if t0 is never cleared, or if step 1 has no effect\n"
         "no property of all states depends on Go\n"
         "\n"

@@ -40,7 +40,7 @@ TEST(CompareOptions, TheOutputsForStopsCanHaveDifferentNames) {
         << "a has the output `Error`, not `Halt`";
     const Result other = compared(halting, with(failing, "off AND on", "on"), {"--stop-output", "Halt=Error"});
     EXPECT_EQ(other.code, ExitCode::Verdict) << other.out << other.err;
-    EXPECT_NE(other.out.find("in the last scan, `b` stops and the other continues\n"), std::string::npos) << other.out;
+    EXPECT_NE(other.out.find("in the last scan, only `b` stops\n"), std::string::npos) << other.out;
     // `Halt=Error` names the output that reports a stop in each program; an output of the other program is not
     // accepted.
     const std::string both = with(halting, "L, Halt", "L, Error, Halt");
@@ -159,8 +159,8 @@ TEST(CompareOptions, WhatCannotBeComparedIsRejectedWithARemedy) {
              {latch,
               latch,
               {"--stop-output", "L", "--ignore", "l"},
-              "`--ignore l` omits the output `L` of `latch` (a), which reports a stop by `--stop-output L`; remove one "
-              "of these options"},
+              "`--ignore l` omits the output `L` of `latch` (a), which reports a stop according to `--stop-output L`; "
+              "remove one of these options"},
              {latch,
               real,
               {"--map", "L=R"},

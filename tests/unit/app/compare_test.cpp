@@ -125,7 +125,7 @@ TEST(Compare, ADifferenceIsTheShortestSequenceWithBothOutputs) {
               "                 stable: {0} -> {1} -> {0},\n"
               "                 forever within one instant\n"
               "                 [total-instability]\n"
-              "  in the last scan, `a` stops and the other continues\n"
+              "  in the last scan, only `a` stops\n"
               "  a scan is one PLC cycle, mode stability-search\n"
               "differences of the texts, from a to b:\n"
               "  transition t1 changed: 1 -> 0 when off\n"

@@ -63,7 +63,7 @@ TEST(Diagrams, AnAutomatonIsDrawnOrATableOrLeftToGraphviz) {
     EXPECT_EQ(table.code, ExitCode::Done);
     EXPECT_EQ(table.out.find("<path class=\"arrow\""), std::string::npos);
     EXPECT_NE(table.out.find("to 7: "), std::string::npos);
-    EXPECT_EQ(table.err, "note: 101 locations exceed the limit of a drawing, 60; a table is written instead\n");
+    EXPECT_EQ(table.err, "note: 101 locations are too many for a drawing (limit: 60); a table is written instead\n");
     EXPECT_EQ(neither.code, ExitCode::Input);
     EXPECT_EQ(neither.out, "");
     EXPECT_NE(neither.err.find("[too-large]"), std::string::npos) << neither.err;

@@ -121,7 +121,7 @@ TEST(Draw, RejectsAProgramWithoutSteps) {
         grafverif({"draw", (root / "samples/tank_program/tank.grafcet").string(), "--chart", "filling"});
     EXPECT_EQ(result.code, ExitCode::Input);
     EXPECT_EQ(result.out, "");
-    EXPECT_NE(result.err.find("`filling` is a PLC program, but it has no steps to draw"), std::string::npos)
+    EXPECT_NE(result.err.find("`filling` is a PLC program, but only charts with steps can be drawn"), std::string::npos)
         << result.err;
 }
 

@@ -206,7 +206,7 @@ TEST(EditedFile, FileThatCannotBeShownIsNotOverwritten) {
     session.type(lamp + "// mine\n");
     const std::string large = lamp + "//" + std::string(largest_edited, 'x');
     folder.write("lamp.grafcet", large);
-    EXPECT_EQ(session.problem("/save"), changed + "larger than 4 MiB");
+    EXPECT_EQ(session.problem("/save"), changed + "the file is larger than 4 MiB");
     EXPECT_EQ(folder.read("lamp.grafcet"), large);
     EXPECT_FALSE(session.state()["missing"]);
     folder.write("lamp.grafcet", "// \xff");

@@ -261,7 +261,7 @@ TEST(Abc, WrongResultOfTheProgramIsRejected) {
 TEST(EngineCommand, ResultsAreValidatedOrUnknown) {
     for (const Lie& lie : {
              Lie{"never L && M", "echo 0; echo b0; echo . ; true",
-                 "unchecked: the program reports the state as unreachable"},
+                 "unchecked: the program reports that no run reaches the target state"},
              {"never L", "echo 2 ; true", "the program printed no verdict"},
              {"never L", "echo 1; true", "engine-disagrees: the program printed no trace for its verdict"},
              {"never L", "exit 1; true", "the program printed no verdict"},

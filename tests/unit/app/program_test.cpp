@@ -174,7 +174,7 @@ TEST(Include, ReachesBelowTheMainFileOnly) {
               ExitCode::Done);
     const Result result = grafverif({"nusmv", folder.write("main/out.grafcet", "include \"../outside.grafcet\";\n")});
     EXPECT_EQ(result.code, ExitCode::Input);
-    EXPECT_NE(result.err.find("below neither the folder of the main file"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("outside the folder of the main file"), std::string::npos) << result.err;
 }
 
 TEST(Diagnostics, ComeAsJsonOnRequest) {

@@ -175,7 +175,7 @@ closed_loop shop {
     EXPECT_TRUE(says({"--untimed"}, free_inputs));
     EXPECT_FALSE(says({"--untimed"}, "inputs always satisfy"));
     EXPECT_TRUE(says({"--untimed", "--plant", "constraints"}, "The inputs always satisfy"));
-    EXPECT_TRUE(says({"--chart", "pair"}, "assumed by the findings, but not by the verdicts"));
+    EXPECT_TRUE(says({"--chart", "pair"}, "assumed for the findings, but not for the verdicts"));
 }
 
 TEST(Report, DrawsEveryElementThatItsPlayerHighlights) {

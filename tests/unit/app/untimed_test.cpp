@@ -123,7 +123,7 @@ TEST(CheckUntimed, StatesWhichVerdictsArePreservedUnderEachScheduleAndUnderFairn
         {{"--plant", "automata", "--fairness"}, so, "may hold in the timed loop", nothing},
         {{"--plant", "automata", "--schedule", "synchronous"}, nothing, nothing, nothing},
         {{"--plant", "automata", "--schedule", "sequenced"}, nothing, nothing, nothing},
-        {{"--time", "discrete"}, states, so, "applies to integer time only"},
+        {{"--time", "discrete"}, states, so, "applies only to integer time"},
     };
     const Folder folder;
     const std::string file = folder.write(

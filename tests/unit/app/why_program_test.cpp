@@ -95,7 +95,7 @@ TEST(WhyOfProgram, ProgramsOfLoopsHaveElements) {
         "    property on: reachable run;\n}\n");
     const Result text = grafverif({"check", loop, "--why"});
     EXPECT_EQ(text.code, ExitCode::Done) << text.out << text.err;
-    EXPECT_NE(text.out.find("lit: fails without `lamp := run` of line 13; holds for all behaviour of the plant and the "
+    EXPECT_NE(text.out.find("lit: fails without `lamp := run` of line 13; holds for any behaviour of the plant and the "
                             "timers\n"
                             "on: fails without `run := TRUE` of line 6\n"),
               std::string::npos)

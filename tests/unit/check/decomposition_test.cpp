@@ -101,7 +101,8 @@ TEST(Decomposition, EachVerdictNamesItsOmittedParts) {
               "one instant");
     EXPECT_EQ(verdict(result, "seen").scope.because,
               "shares only time with the checked sub-loops and can let time pass forever");
-    EXPECT_EQ(verdict(result, "one").scope.because, "shares only time with the checked sub-loops and adds no state");
+    EXPECT_EQ(verdict(result, "one").scope.because,
+              "shares only time with the checked sub-loops and adds no state to them");
     EXPECT_EQ(verdict(result, "no_timelock").scope.searched, (std::vector<std::string>{"lamp", "other", "third"}));
 }
 
@@ -279,7 +280,7 @@ TEST(Decomposition, ARunInWhichOthersMoveTooOftenIsNotShown) {
     EXPECT_FALSE(verdict(result, "never").run);
     EXPECT_EQ(
         verdict(result, "never").notes,
-        std::vector<std::string>{"no trace is given: combined with the other sub-loops, the trace has too many moves"});
+        std::vector<std::string>{"no trace is given: with the moves of the other sub-loops, the trace is too long"});
 }
 
 /// One part stops time, and the other part counts for a long time within that instant.
@@ -301,7 +302,7 @@ TEST(Decomposition, FiniteRunNextToAVeryLongOneIsNotShown) {
     EXPECT_FALSE(verdict(result, "ends").run);
     EXPECT_EQ(
         verdict(result, "ends").notes,
-        std::vector<std::string>{"no trace is given: combined with the other sub-loops, the trace has too many moves"});
+        std::vector<std::string>{"no trace is given: with the moves of the other sub-loops, the trace is too long"});
 }
 
 TEST(Decomposition, BoundOfOneSearchIsReportedAsThatOfTheCompleteSearch) {

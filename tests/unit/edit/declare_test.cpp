@@ -52,10 +52,9 @@ TEST(EditDeclare, IntegerInputOfAControlledChartIsDrivenWithinItsRange) {
     edit.perform(OperationKind::Declare, "step 1", "input /* level */ n: int 1..3");
     edit.expect("input ON, OFF;\n", "input ON, OFF;\n    input /* level */ n: int 1..3;\n")
         .expect("OUT = OFF);\n", "OUT = OFF);\n    environment n_any1 = free_integer(OUT = n, LOW = 1, HIGH = 3);\n");
-    EXPECT_EQ(
-        edit.obstacle(OperationKind::Declare, "step 1", "input FULL[1]"),
-        "`FULL` has an index, and closed loop `l` controls the chart; declare the input and its environment in the "
-        "text");
+    EXPECT_EQ(edit.obstacle(OperationKind::Declare, "step 1", "input FULL[1]"),
+              "`FULL` has an index, and closed loop `l` uses the chart as a controller; declare the input and its "
+              "environment in the text");
 }
 
 TEST(EditDeclare, InputOfAnInstanceIsRejected) {

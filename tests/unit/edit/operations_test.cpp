@@ -221,7 +221,8 @@ TEST(EditOperations, DeletionIsRejectedWithItsReason) {
               "transition `t` would be deleted with its actions; move the actions first");
     Editing both("grafcet g { input A; initial step 0; step 1; transition 0 -> 0, 1 when A; }\n");
     EXPECT_EQ(both.obstacle(OperationKind::Delete, "initial step 0"),
-              "the transition from 0 to 0, 1 begins and ends at step `0` and at other steps; change it first");
+              "the transition from 0 to 0, 1 begins and ends at step `0` and at other steps; change the transition "
+              "first");
 }
 
 TEST(EditOperations, StepIsNotDeletedIfAStepOfAnotherPartialChartTakesItsName) {

@@ -92,7 +92,8 @@ TEST(EditPaste, StepVariableOfAStepThatIsNotCopiedIsOnlyPastedInTheSameChart) {
         "        transition c: 2 -> 0 when !X1;\n    }\n}\n");
     const std::string text = copy(edit, {"step 2"});
     EXPECT_EQ(edit.obstacle(OperationKind::Paste, "transition 0", text),
-              "the copied text reads `X1`, which can be another step here; copy step `1` too, or edit the text");
+              "the copied text contains `X1`, which may refer to another step here; copy step `1` too, or edit the "
+              "text");
     edit.perform(OperationKind::Paste, "transition b", text);
     edit.expect("        step 2;\n", "        step 3;\n        step 2;\n")
         .expect("g.X1;\n",

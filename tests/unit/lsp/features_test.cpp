@@ -193,7 +193,7 @@ TEST(LspNames, AreNotRenamedIfAFaultWouldInheritAnotherArgument) {
               "`DELAY` has another meaning in the scope of `WAIT`, or is not allowed there; choose another name");
     text = with(text, "property p: ", "property p: uppaal \"A[] !Gate_POS_\"; property r: ");
     EXPECT_EQ(editor.obstacle("all.grafcet", with(text, "plant Gate", "plant G@ate"), "Door"),
-              "the formula of property `p` may contain `Gate`; rename it manually, also in the formula");
+              "the formula of property `p` may contain `Gate`; rename the element manually, also in the formula");
 }
 
 TEST(LspNames, AreRenamedInATextWithErrorsIfTheirMeaningIsKnown) {
@@ -210,8 +210,9 @@ TEST(LspNames, AreRenamedInATextWithErrorsIfTheirMeaningIsKnown) {
     // The value that is assigned to an input is not resolved.
     const std::string hidden = with(text, "{ MOVE; }", "{ MOVE; CLOSED := MOVE on activation; }");
     EXPECT_EQ(editor.obstacle("all.grafcet", with(hidden, "output MOVE", "output MO@VE"), "LIFT"),
-              "because of the errors of `" + editor.folder.file("all.grafcet") +
-                  "`, the meaning of an occurrence of `MOVE` is unknown; correct the errors first");
+              "`" + editor.folder.file("all.grafcet") +
+                  "` contains an occurrence of `MOVE` whose meaning is unknown because of errors; correct the errors "
+                  "first");
 }
 
 TEST(LspNames, OfALoopThatDoesNotIncludeItsChartLeadToTheChart) {

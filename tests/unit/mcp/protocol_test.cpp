@@ -181,7 +181,7 @@ TEST(McpProtocol, RejectsWrongArguments) {
     EXPECT_EQ(message_of("check", {{"text", ""}, {"property", "P"}}),
               "the argument `property` must be a list of strings");
     EXPECT_EQ(message_of("check", {{"text", ""}, {"property", {1}}}),
-              "the argument `property` has an element that must be a string");
+              "the argument `property` has an invalid element: each element must be a string");
     EXPECT_EQ(message_of("check", {{"text", ""}, {"untimed", "yes"}}), "the argument `untimed` must be true or false");
     EXPECT_EQ(message_of("explain", {{"text", ""}}), "the argument `property` is missing");
     EXPECT_EQ(gate.started, 0);

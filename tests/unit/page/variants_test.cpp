@@ -351,7 +351,7 @@ TEST(TuningPage, TheSummaryIsPositiveOnlyIfThereIsAPropertyAndEachVerdictIsKnown
         for (Tuning::Row& row : tuning.rows)
             if (!row.declared) row.verdicts.back() = {};
     });
-    EXPECT_NE(open.page.find(unknown + "<strong>1 property is unknown at some point."), std::string::npos);
+    EXPECT_NE(open.page.find(unknown + "<strong>1 property is unknown at some grid point."), std::string::npos);
     EXPECT_NE(open.page.find("id=\"property-no_timelock\""), std::string::npos) << "the page shows what is unknown";
     std::string text = press_loop;
     const std::size_t first = text.find("    property prompt");

@@ -226,7 +226,7 @@ TEST(Replication, RejectsAnIndexVariableWithTheNameOfAnElement) {
         for (const Reading* reading : {&loop, &own})
             EXPECT_EQ(messages_of(*reading),
                       (Names{fmt::format(
-                          "the index variable `{}` has the name of another declaration; rename one of them", name)}))
+                          "the index variable `{}` has the name of another declaration; rename one of the two", name)}))
                 << reading->rendered;
     }
     const Reading owner = read(source + chart +
@@ -298,8 +298,8 @@ TEST(Replication, OfAComponentCannotDependOnAParameter) {
         "    for i in 1..M { location to[i]; }\n"
         "}\n");
     EXPECT_EQ(messages_of(reading),
-              (Names{"the range of `i` cannot depend on the parameter `N`, whose value each instance chooses; write a "
-                     "number",
+              (Names{"the range of `i` cannot depend on the parameter `N`, which has a separate value in each "
+                     "instance; write a number",
                      "the range of `i` must be constant; remove the variables"}))
         << reading.rendered;
 }

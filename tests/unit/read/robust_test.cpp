@@ -50,7 +50,7 @@ void check(const std::string& text) {
     const auto model = read_text(sources.add({"damaged.grafcet", text}), sources, {}, diagnostics);
     ASSERT_EQ(model.has_value(), !diagnostics.has_errors()) << text;
     std::ostringstream rendered;
-    render_text(diagnostics.all(), sources, Colour::Plain, rendered);  // the rendered text contains every location
+    render_text(diagnostics.all(), sources, Colour::Plain, rendered);  // rendering must accept every location
     if (!model) return;
     ASSERT_EQ(verify(*model), std::vector<std::string>{}) << text;
     Diagnostics none;

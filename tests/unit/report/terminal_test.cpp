@@ -296,8 +296,8 @@ TEST(Terminal, PrintsTheStateProfile) {
                           "without this element):\n"
                           "    x 6.0     controller PLC, 12 or more combinations of its variables (a.grafcet:3)\n"
                           "    x 3.0     the clock t of Start alone, 13 values, greatest constant in comparisons: 12\n"
-                          "    33 % of these states are within a cycle; grain atomic makes each cycle one step and "
-                          "keeps at most 20 of them\n"
+                          "    33 % of these states are within a cycle; with grain atomic, each cycle is one step, "
+                          "and at most 20 of these states remain\n"
                           "    with the duration 1.01 s (a.grafcet:7), the time unit is 0.01 s; without this duration, "
                           "it is 0.1 s (x 2.5: with this unit, 2.5 times fewer states would remain)\n"),
               std::string::npos)

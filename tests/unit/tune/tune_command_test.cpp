@@ -72,7 +72,7 @@ TEST_F(TuneCommand, WritesAnHtmlReportWithTheVerdictsOfTheText) {
     EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
     EXPECT_EQ(result.out, tune(over).out);
     const std::string html = folder_.read("map.html");
-    EXPECT_NE(html.find("1 property has an unexpected verdict at some point."), std::string::npos);
+    EXPECT_NE(html.find("1 property has an unexpected verdict at some grid point."), std::string::npos);
     EXPECT_NE(html.find("holds at 4, violated at 2 of 6 points"), std::string::npos);
     for (const char* const gap : {"1s", "2s"})
         EXPECT_NE(html.find("data-run=\"soon: GAP = " + std::string(gap) + ", HIGH = 7s\""), std::string::npos) << gap;
@@ -115,7 +115,7 @@ TEST_F(TuneCommand, InvalidValuesAreRejected) {
     expect_error({"--over", "HIGH=1..3"},
                  "the constant `HIGH` is a duration and cannot have the values `1..3`; write `--over HIGH=1s..20s:1s`");
     expect_error({"--over", "N=1s..3s"}, "the constant `N` is an integer and cannot have the values `1s..3s`");
-    expect_error({"--over", "LAMP=0..1"}, "the constant `LAMP` is Boolean; `--over` accepts numbers");
+    expect_error({"--over", "LAMP=0..1"}, "the constant `LAMP` is Boolean; `--over` accepts only numbers");
     expect_error({"--over", "HIGH=9s..3s"}, "the range `9s..3s` of `HIGH` is empty; write the smaller value first");
     expect_error({"--over", "N=1..6:2"},
                  "the step 2 does not divide the range `1..6` of `N`; end the range at 5, or change the step");
@@ -124,7 +124,7 @@ TEST_F(TuneCommand, InvalidValuesAreRejected) {
     expect_error({"--over", "HIGH=1s..2s", "--set", "HIGH=3s"}, "`--set` and `--over` both name `HIGH`; remove one");
     expect_error({"--over", "GAP=1s..1000s", "--over", "HIGH=1s..1000000s"},
                  "the grid has 1000000000 points, but at most 10000 are allowed; at one millisecond per point, reading "
-                 "their models needs 277.8 hours; use larger steps or smaller ranges");
+                 "the models of all points would take 277.8 hours; use larger steps or smaller ranges");
     expect_error({"--over", "N=-5000000000000000000..5000000000000000000:1000000000000000000"},
                  "of `N` are outside the integer range -32768..32767; reduce the range");
     expect_error({"--over", "N=1..3", "--property", "son"}, "soon");

@@ -64,7 +64,7 @@ grafcet NAME_controller {
     transition t3: 3 -> 0 when AT_BACK;
 }
 )"},
-        {"NAME_slide.grafcet", "a custom component (library: `grafverif components`)",
+        {"NAME_slide.grafcet", "a custom component (`grafverif components` lists library components)",
          R"(// A slide: it moves to the front while it is driven; otherwise a spring returns it.
 //
 // Interface

@@ -151,10 +151,9 @@ CliCommand watch_usage() {
         any_number - 1,
         "rerun a command whenever one of its input files changes",
         "Runs `grafverif COMMAND ARGUMENT...`, and reruns it when a file that it reads changes: FILE, included files, "
-        "tables. A\n"
-        "change during a run terminates the run. COMMAND must terminate, so `serve`, `edit`, `lsp` and `simulate` are "
-        "not "
-        "supported.\n"
+        "tables.\n"
+        "A change during a run terminates the run and starts a new one. COMMAND must terminate, so `serve`, `edit`,\n"
+        "`lsp` and `simulate` are not supported.\n"
         "Options of `watch` precede COMMAND; `-q` omits its status lines on standard error. Ctrl-C stops `watch` "
         "with exit code 0.",
         {"grafverif watch check station.grafcet", "grafverif watch check station.grafcet --property safe --junit r.xml",

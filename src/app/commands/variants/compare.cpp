@@ -180,7 +180,7 @@ CliCommand compare_usage() {
         "\n"
         "Structured Text, textual Sequential Function Charts and PLCopen XML are compared as PLC programs, with a "
         "chart\n"
-        "or with another program. A difference is then replayed on the interpreter of programs. A run-time fault of a\n"
+        "or with another program. A difference is then replayed by the program interpreter. A run-time fault of a\n"
         "program is reported as a model error. Exit code 1: different, or a model error; 3: inconclusive (--timeout,\n"
         "--max-memory, Ctrl-C).",
         {"grafverif compare station.grafcet station.xml",

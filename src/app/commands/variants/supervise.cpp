@@ -182,7 +182,7 @@ void print(const Supervised& found, std::ostream& out) {
             break;
         }
         print_conditions(found, out);
-        out << "The written file was read again and verified: all results by the symbolic engine, and the properties "
+        out << "The resulting text was read again and verified: all results by the symbolic engine, and the properties "
                "also by a second engine.\n"
             << timelock_text(found.timelock);
         break;
