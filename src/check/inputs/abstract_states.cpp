@@ -42,7 +42,8 @@ bool AbstractStates::all_wait(const Word* words) const {
     });
 }
 
-const timed::Moves& AbstractStates::expand(std::uint32_t state) {
+const timed::Moves& AbstractStates::expand(std::uint32_t state, bool with_choices) {
+    moves_.record_choices = with_choices;
     std::copy_n(states_->words(state), machine_->layout().stored, now_.begin());
     machine_->expand(now_.data(), moves_);
     return moves_;

@@ -34,9 +34,9 @@ public:
     /// location inside its cycle. Returns nullopt if a limit is reached; the next call continues the search.
     std::optional<bool> run(const FollowLimits& limits);
 
-    /// `expand` returns the moves of a state. `successor` returns the state to which a move of the last expanded state
+    /// `expand` returns the moves of a state, with Moves::chosen if `with_choices` is true. `successor` returns the state to which a move of the last expanded state
     /// leads; `move` is the number of this move.
-    const timed::Moves& expand(std::uint32_t state);
+    const timed::Moves& expand(std::uint32_t state, bool with_choices = false);
     std::uint32_t successor(std::size_t move);
     const timed::Word* words(std::uint32_t state) const { return states_->words(state); }
 
