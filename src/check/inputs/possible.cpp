@@ -279,6 +279,7 @@ public:
     }
 
     std::size_t states() const { return states_ + required_.size(); }
+    const std::vector<std::string>& sequence() const { return required_.sequence(); }
 
 private:
     /// The search for the good states of one property.
@@ -321,13 +322,17 @@ public:
         std::optional<bool> result = false;
         for (Attempt& attempt : attempts_) {
             const std::optional<bool> proved = attempt.proves(property, limits);
-            if (proved == true) return true;
+            if (proved == true) {
+                sequence_ = attempt.sequence();
+                return true;
+            }
             if (!proved) result.reset();
         }
         return result;
     }
 
     const std::vector<InputLevel>& levels() const { return levels_; }
+    const std::vector<std::string>& sequence() const { return sequence_; }
     std::size_t states() const {
         return std::accumulate(attempts_.begin(), attempts_.end(), std::size_t{0},
                                [](std::size_t sum, const Attempt& attempt) { return sum + attempt.states(); });
@@ -338,6 +343,7 @@ private:
     const LoopTiming timing_;
     const std::vector<InputLevel> levels_;
     std::deque<Attempt> attempts_ = {};
+    std::vector<std::string> sequence_ = {};
 };
 
 PossibleProof::PossibleProof(const Network& loop, const std::vector<AbstractableProcess>& instances,
@@ -351,6 +357,8 @@ const std::vector<InputLevel>& PossibleProof::levels() const { return states_->l
 std::optional<bool> PossibleProof::proves(const Property& property, const FollowLimits& limits) {
     return states_->proves(property, limits);
 }
+
+const std::vector<std::string>& PossibleProof::sequence() const { return states_->sequence(); }
 
 std::size_t PossibleProof::states() const { return states_->states(); }
 

@@ -23,6 +23,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "check/inputs/follow.hpp"
@@ -44,6 +45,8 @@ public:
     /// property, and nullopt if a limit is reached. After nullopt, the next call with the same property continues the
     /// search.
     std::optional<bool> proves(const Property& property, const FollowLimits& limits);
+    /// Returns the moves of the homing sequence of the last proof (RequiredStates::sequence).
+    const std::vector<std::string>& sequence() const;
     /// Returns the number of states that all calls explored.
     std::size_t states() const;
 

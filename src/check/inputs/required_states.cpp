@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "check/inputs/required_states.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <numeric>
@@ -107,6 +109,7 @@ std::optional<bool> RequiredStates::find(const FollowLimits& limits) {
 /// reached.
 bool RequiredStates::find_sequence(const FollowLimits& limits) {
     for (Chosen& instance : chosen_) instance.now = 0;
+    sequence_.clear();
     std::size_t least = waiting(found_);
     for (std::size_t length = 0; length < most_length; ++length) {
         std::optional<PanelMove> best;
@@ -127,7 +130,10 @@ bool RequiredStates::find_sequence(const FollowLimits& limits) {
             }
         }
         if (!best) break;
+        const ProcessStates& moved = chosen_[best->instance].local;
         chosen_[best->instance].now = best->to;
+        sequence_.push_back(fmt::format("`{}` to `{}`", loop_.processes[moved.process()].name,
+                                        moved.automaton().locations[moved.states()[best->to].location].name));
         found_ = std::move(after_best);
     }
     return true;

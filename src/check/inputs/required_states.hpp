@@ -34,6 +34,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "check/inputs/abstract_states.hpp"
@@ -60,6 +61,8 @@ public:
     bool each(const timed::Layout& to, const FollowLimits& limits,
               const std::function<void(const timed::Word*)>& visit) const;
 
+    /// Describes the moves of the homing sequence, such as "`Stop` to `pressed`"; empty without moves.
+    const std::vector<std::string>& sequence() const { return sequence_; }
     std::size_t size() const { return states_.size(); }
 
 private:
@@ -102,6 +105,7 @@ private:
     std::vector<Id<Network::Variable>> flags_ = {};
     std::optional<bool> is_supported_ = {};                        // empty if not computed yet
     std::map<std::set<Id<Network::Variable>>, bool> begins_ = {};  // results of begins_cycle
+    std::vector<std::string> sequence_ = {};
     Numbers found_ = {};  // states of the abstraction that are possible after the homing sequence
 };
 
