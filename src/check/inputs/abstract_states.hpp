@@ -23,6 +23,12 @@ namespace grafverif {
 std::vector<InputLevel> panel_levels(const Network& loop, const std::vector<AbstractableProcess>& instances,
                                      const std::set<Id<Network::Process>>& read, bool all = false);
 
+/// Returns `levels`, a result of panel_levels, with the level Chosen for further instances, except for timers and for
+/// instances in the set `read`. The outputs of these instances are read only by PLCs and by other Chosen instances.
+std::vector<InputLevel> levels_with_plant(const Network& loop, const std::vector<AbstractableProcess>& instances,
+                                          std::vector<InputLevel> levels,
+                                          const std::set<Id<Network::Process>>& read = {});
+
 class AbstractStates {
 public:
     AbstractStates(const Network& loop, const std::vector<AbstractableProcess>& instances,

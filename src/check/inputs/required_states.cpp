@@ -41,25 +41,6 @@ bool holds(const Network& network, Id<Expr> guard, const Layout& layout, const W
     return value.value_or(0) != 0;
 }
 
-/// Returns the level Chosen for the panel and for each instance of the plant whose outputs no stored process reads, and
-/// Untimed for all other processes.
-std::vector<InputLevel> levels_with_plant(const Network& loop, const std::vector<AbstractableProcess>& instances,
-                                          std::vector<InputLevel> levels) {
-    std::size_t splits = 0;
-    for (std::size_t i = 0; i < instances.size(); ++i)
-        if (levels[i] == InputLevel::Chosen) splits += instances[i].valuations.size();
-    for (std::size_t i = 0; i < instances.size(); ++i) {
-        const std::size_t more = instances[i].valuations.size();
-        const bool is_timer = loop.processes[instances[i].process].kind == Network::ProcessKind::Timer;
-        if (levels[i] == InputLevel::Chosen || is_timer || more == 0 || splits + more > timed::Choices::most_splits)
-            continue;
-        levels[i] = InputLevel::Chosen;
-        splits += more;
-    }
-    store_what_is_read(instances, levels);
-    return levels;
-}
-
 }  // namespace
 
 RequiredStates::RequiredStates(const Network& loop, const std::vector<AbstractableProcess>& instances,
