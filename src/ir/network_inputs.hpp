@@ -77,6 +77,9 @@ struct InputAblations {
     bool need_not_return = false;   ///< panel instances (possible.hpp) need not be able to return
     bool need_not_diverge = false;  ///< the proof does not require that time diverges
 
+    bool need_not_begin_cycle = false;  ///< a move of a homing sequence need not begin a cycle of the PLC
+    bool leave_freely = false;          ///< processes are assumed to leave each state to which they cannot return
+    bool without_homing = false;        ///< not a premise: required states are computed without a homing sequence
     // Premises of prove_response (check/inputs/response.hpp):
     bool need_not_take_time = false;  ///< runs with infinitely many moves in bounded time are permitted
     bool round_inward = false;  ///< clock bounds of observers are rounded to stronger bounds instead of weaker bounds

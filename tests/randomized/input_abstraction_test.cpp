@@ -177,6 +177,8 @@ struct Compared {
         const std::string name = possible ? "always possible" : "leads to";
         ++seen[name];
         ++seen["verdicts on " + here.property];
+        if (std::ranges::any_of(here.notes, [](const std::string& note) { return note.starts_with("in each state"); }))
+            ++seen["with a homing sequence"];
         for (const std::int64_t factor : {1, 2, 3, 5}) {
             const TimedResult finer = check_timed(refined(network, factor),
                                                   {.properties = {here.property}, .max_states = 4 * complete_limit});
@@ -285,6 +287,7 @@ TEST(InputAbstraction, PanelLoopsGetTheVerdictsOfTheCompleteLoop) {
     EXPECT_GT(seen["rounded"], 0);
     EXPECT_GT(seen["always possible in finer time"], test_size(10));
     EXPECT_GT(seen["leads to in finer time"], test_size(10));
+    EXPECT_GT(seen["with a homing sequence"], 0);
 }
 
 /// Tests panels of random elements: operator components of the library, and other instances, some of which read each
@@ -301,6 +304,7 @@ TEST(InputAbstraction, LibraryPanelsGetTheVerdictsOfTheCompleteLoop) {
     print_counts(seen);
     EXPECT_GT(seen["holds without a run"], test_size(3));
     EXPECT_GT(seen["always possible in finer time"], 0);
+    EXPECT_GT(seen["with a homing sequence"], 0);
 }
 
 TEST(InputAbstraction, RandomLoopsGetTheVerdictsOfTheCompleteLoop) {
@@ -369,7 +373,8 @@ TEST(InputAbstraction, EachPremiseIsNeeded) {
           Premise{"bounds of observers become weaker", &InputAblations::round_inward},
           Premise{"time diverges", &InputAblations::need_not_diverge, {"stuck"}, 1131},
           Premise{"moves take time", &InputAblations::need_not_take_time, {"follower"}, 1076},
-          Premise{"the panel returns", &InputAblations::need_not_return, {"follower"}, 1081}}) {
+          Premise{"the panel returns", &InputAblations::need_not_return, {"follower"}, 1081},
+          Premise{"a process may stay", &InputAblations::leave_freely, {"early"}}}) {
         InputAblations ablations;
         ablations.*premise.omitted = true;
         std::map<std::string, int> seen;

@@ -24,6 +24,24 @@ std::vector<InputLevel> panel_levels(const Network& loop, const std::vector<Abst
     return levels;
 }
 
+std::vector<InputLevel> levels_with_plant(const Network& loop, const std::vector<AbstractableProcess>& instances,
+                                          std::vector<InputLevel> levels, const std::set<Id<Network::Process>>& read) {
+    std::size_t splits = 0;
+    for (std::size_t i = 0; i < instances.size(); ++i)
+        if (levels[i] == InputLevel::Chosen) splits += instances[i].valuations.size();
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        const std::size_t more = instances[i].valuations.size();
+        const bool is_timer = loop.processes[instances[i].process].kind == Network::ProcessKind::Timer;
+        if (levels[i] == InputLevel::Chosen || is_timer || more == 0 || read.contains(instances[i].process) ||
+            splits + more > timed::Choices::most_splits)
+            continue;
+        levels[i] = InputLevel::Chosen;
+        splits += more;
+    }
+    store_what_is_read(instances, levels);
+    return levels;
+}
+
 AbstractStates::AbstractStates(const Network& loop, const std::vector<AbstractableProcess>& instances,
                                const std::vector<InputLevel>& levels) {
     InputAbstraction abstraction = abstract_inputs(loop, instances, levels);
@@ -42,7 +60,8 @@ bool AbstractStates::all_wait(const Word* words) const {
     });
 }
 
-const timed::Moves& AbstractStates::expand(std::uint32_t state) {
+const timed::Moves& AbstractStates::expand(std::uint32_t state, bool with_choices) {
+    moves_.record_choices = with_choices;
     std::copy_n(states_->words(state), machine_->layout().stored, now_.begin());
     machine_->expand(now_.data(), moves_);
     return moves_;

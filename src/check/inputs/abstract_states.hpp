@@ -23,6 +23,12 @@ namespace grafverif {
 std::vector<InputLevel> panel_levels(const Network& loop, const std::vector<AbstractableProcess>& instances,
                                      const std::set<Id<Network::Process>>& read, bool all = false);
 
+/// Returns `levels`, a result of panel_levels, with the level Chosen for further instances, except for timers and for
+/// instances in the set `read`. The outputs of these instances are read only by PLCs and by other Chosen instances.
+std::vector<InputLevel> levels_with_plant(const Network& loop, const std::vector<AbstractableProcess>& instances,
+                                          std::vector<InputLevel> levels,
+                                          const std::set<Id<Network::Process>>& read = {});
+
 class AbstractStates {
 public:
     AbstractStates(const Network& loop, const std::vector<AbstractableProcess>& instances,
@@ -34,9 +40,9 @@ public:
     /// location inside its cycle. Returns nullopt if a limit is reached; the next call continues the search.
     std::optional<bool> run(const FollowLimits& limits);
 
-    /// `expand` returns the moves of a state. `successor` returns the state to which a move of the last expanded state
+    /// `expand` returns the moves of a state, with Moves::chosen if `with_choices` is true. `successor` returns the state to which a move of the last expanded state
     /// leads; `move` is the number of this move.
-    const timed::Moves& expand(std::uint32_t state);
+    const timed::Moves& expand(std::uint32_t state, bool with_choices = false);
     std::uint32_t successor(std::size_t move);
     const timed::Word* words(std::uint32_t state) const { return states_->words(state); }
 

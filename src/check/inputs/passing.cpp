@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // InputAbstractionCheck: proofs of `no timelock`, `no deadlock`, `always possible`, `inevitable` and `leads to`.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "check/inputs/evolutions.hpp"
 #include "check/inputs/input_check.hpp"
 #include "check/inputs/response.hpp"
@@ -158,6 +161,9 @@ std::optional<bool> InputAbstractionCheck::prove_possible(std::size_t k, const F
     found.outcome = Outcome::Holds;
     found.states = std::to_string(possible_->states());
     found.notes = {"proved with only those edges that can be taken for all values of the clocks"};
+    if (const std::vector<std::string>& moves = possible_->sequence(); !moves.empty())
+        found.notes.push_back(fmt::format("in each state, the panel can reduce the possible states by these moves: {}",
+                                          fmt::join(moves, ", ")));
     conclude(k, found, possible_->levels());
     return true;
 }

@@ -5,13 +5,15 @@
 #include <bit>
 #include <deque>
 #include <functional>
+#include <numeric>
 #include <queue>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <utility>
 
-#include "check/inputs/abstract_states.hpp"
 #include "check/inputs/novelty.hpp"
+#include "check/inputs/required_states.hpp"
 #include "check/timed/machine.hpp"
 #include "check/timed/store/packed_states.hpp"
 #include "ir/network_clocks.hpp"
@@ -79,7 +81,10 @@ public:
     const timed::Layout& layout() const { return machine_.layout(); }
     bool fits() const { return machine_.layout().fits(); }
 
+    /// Requires that the state is good, unless an urgent edge is enabled in the state.
     void require(const Word* words) {
+        machine_.expand(words, moves_);
+        if (moves_.urgent) return;
         const std::uint32_t state = add(words, {}, false);
         if (nodes_[state].is_required) return;
         nodes_[state].is_required = true;
@@ -236,41 +241,50 @@ private:
     std::vector<std::int64_t> registers_ = {};
 };
 
-class PossibleProof::States {
+/// One proof per property, whose required states are computed with or without a homing sequence.
+class Attempt {
 public:
-    States(const Network& loop, const std::vector<AbstractableProcess>& instances, const InputAblations& ablations)
+    Attempt(const Network& loop, const std::vector<AbstractableProcess>& instances,
+            const std::vector<InputLevel>& panel_levels, const LoopTiming& timing, bool with_sequence,
+            const InputAblations& ablations)
         : loop_(loop),
+          timing_(timing),
           ablations_(ablations),
-          timing_(timing_of_loop(loop)),
-          levels_(panel_levels(loop, instances, {}, ablations.need_not_return)),
-          abstraction_(loop, instances, levels_),
+          required_(loop, instances, panel_levels, with_sequence, ablations),
           is_panel_(loop.processes.size(), false) {
         for (std::size_t i = 0; i < instances.size(); ++i)
-            if (levels_[i] == InputLevel::Chosen) add_to_panel(instances[i]);
+            is_panel_[instances[i].process.index] = panel_levels[i] == InputLevel::Chosen;
     }
 
     std::optional<bool> proves(const Property& property, const FollowLimits& limits) {
-        if (requests_.size() > most_requests) return false;
-        const std::optional<bool> found = abstraction_.run(limits);
-        if (!found || !*found) return found;
-        if (!proof_ || proof_->property != property.name) begin(property);
-        if (!proof_->good.fits()) return false;
-        const std::size_t before = proof_->good.size();
-        const std::optional<bool> proved = proof_->good.run(limits);
-        states_ += proof_->good.size() - before;
+        if (failed_.contains(property.name)) return false;
+        if (const std::optional<bool> found = required_.find(limits); !found || !*found) return found;
+        if (!proof_ || proof_->property != property.name) {
+            proof_.reset();  // an unfinished proof of another property, whose memory this proof may need
+            proof_ = std::make_unique<Proof>(*this, property);
+        }
+        GoodStates& good = proof_->good;
+        const std::size_t before = good.size();
+        std::optional<bool> proved = good.fits();
+        if (*proved && !proof_->is_complete) {
+            proof_->is_complete =
+                required_.each(good.layout(), limits, [&](const Word* words) { good.require(words); });
+            if (!proof_->is_complete) proved.reset();
+        }
+        if (proved && *proved) proved = good.run(limits);
+        states_ += good.size() - before;
         if (proved) proof_.reset();
+        if (proved && !*proved) failed_.insert(property.name);
         return proved;
     }
 
-    const std::vector<InputLevel>& levels() const { return levels_; }
-    std::size_t states() const { return states_ + abstraction_.size(); }
+    std::size_t states() const { return states_ + required_.size(); }
+    const std::vector<std::string>& sequence() const { return required_.sequence(); }
 
 private:
-    static constexpr std::size_t most_requests = 4;  // maximum number of flags that the panel may set
-
     /// The search for the good states of one property.
     struct Proof {
-        Proof(const States& of, const Property& about)
+        Proof(const Attempt& of, const Property& about)
             : property(about.name),
               loop(clockless(of.loop_, about)),
               good(loop, of.timing_, of.is_panel_, of.ablations_) {}
@@ -278,58 +292,58 @@ private:
         const std::string property;
         const LoopWithoutClocks loop;
         GoodStates good;
+        bool is_complete = false;  // true if `good` contains all required states
     };
 
-    /// Begins the search for `property`. Discards an unfinished search for another property, because the new search may
-    /// need its memory.
-    void begin(const Property& property) {
-        proof_.reset();
-        auto proof = std::make_unique<Proof>(*this, property);
-        if (proof->good.fits()) require_waiting(proof->good);
-        states_ += proof->good.size();
-        proof_ = std::move(proof);
-    }
-
-    void add_to_panel(const AbstractableProcess& instance) {
-        is_panel_[instance.process.index] = true;
-        for (const Id<Network::Variable> variable : Slots(loop_, instance.process).written())
-            if (std::ranges::find(instance.outputs, variable) == instance.outputs.end() &&
-                std::ranges::find(requests_, variable) == requests_.end())
-                requests_.push_back(variable);
-    }
-
-    /// Adds the states that must be good to the search `good`: all states in which all PLCs wait and the panel is in
-    /// its initial state. Each flag that the panel sets has both values.
-    void require_waiting(GoodStates& good) const {
-        const timed::Layout &from = abstraction_.machine().layout(), &to = good.layout();
-        std::vector<Word> words(to.words, 0);
-        for (std::uint32_t state = 0; state < abstraction_.size(); ++state) {
-            const Word* const now = abstraction_.words(state);
-            if (!abstraction_.all_wait(now)) continue;
-            for (const Id<Network::Process> process : loop_.processes.ids())
-                to.locations[process.index].set(words.data(), from.locations[process.index].get(now));
-            for (const Id<Network::Variable> variable : loop_.variables.ids())
-                if (!loop_.variables[variable].scratch)
-                    to.variables[variable.index].set(words.data(), from.variables[variable.index].get(now));
-            for (std::size_t subset = 0; subset < std::size_t{1} << requests_.size(); ++subset) {
-                for (std::size_t i = 0; i < requests_.size(); ++i) {
-                    const std::int64_t kept = from.variables[requests_[i].index].get(now);
-                    to.variables[requests_[i].index].set(words.data(), (subset >> i & 1) != 0 ? 1 : kept);
-                }
-                good.require(words.data());
-            }
-        }
-    }
-
     const Network& loop_;
+    const LoopTiming& timing_;
+    const InputAblations& ablations_;
+    RequiredStates required_;
+    std::vector<bool> is_panel_;         // per process: true if it belongs to the panel
+    std::unique_ptr<Proof> proof_ = {};  // an unfinished search, which ended at a limit
+    std::set<std::string> failed_ = {};  // properties that the rules do not prove
+    std::size_t states_ = 0;
+};
+
+class PossibleProof::States {
+public:
+    States(const Network& loop, const std::vector<AbstractableProcess>& instances, const InputAblations& ablations)
+        : ablations_(ablations),
+          timing_(timing_of_loop(loop)),
+          levels_(panel_levels(loop, instances, {}, ablations.need_not_return)) {
+        const bool can_use_sequence = loop.controllers.size() == 1 && !ablations.without_homing;
+        for (const bool with_sequence : {true, false})
+            if (can_use_sequence || !with_sequence)
+                attempts_.emplace_back(loop, instances, levels_, timing_, with_sequence, ablations_);
+    }
+
+    std::optional<bool> proves(const Property& property, FollowLimits limits) {
+        limits.bytes /= attempts_.size();
+        std::optional<bool> result = false;
+        for (Attempt& attempt : attempts_) {
+            const std::optional<bool> proved = attempt.proves(property, limits);
+            if (proved == true) {
+                sequence_ = attempt.sequence();
+                return true;
+            }
+            if (!proved) result.reset();
+        }
+        return result;
+    }
+
+    const std::vector<InputLevel>& levels() const { return levels_; }
+    const std::vector<std::string>& sequence() const { return sequence_; }
+    std::size_t states() const {
+        return std::accumulate(attempts_.begin(), attempts_.end(), std::size_t{0},
+                               [](std::size_t sum, const Attempt& attempt) { return sum + attempt.states(); });
+    }
+
+private:
     const InputAblations ablations_;
     const LoopTiming timing_;
     const std::vector<InputLevel> levels_;
-    AbstractStates abstraction_;
-    std::vector<bool> is_panel_;                        // per process: true if it belongs to the panel
-    std::vector<Id<Network::Variable>> requests_ = {};  // flags that the panel sets
-    std::unique_ptr<Proof> proof_ = {};                 // an unfinished search, which ended at a limit
-    std::size_t states_ = 0;
+    std::deque<Attempt> attempts_ = {};
+    std::vector<std::string> sequence_ = {};
 };
 
 PossibleProof::PossibleProof(const Network& loop, const std::vector<AbstractableProcess>& instances,
@@ -343,6 +357,8 @@ const std::vector<InputLevel>& PossibleProof::levels() const { return states_->l
 std::optional<bool> PossibleProof::proves(const Property& property, const FollowLimits& limits) {
     return states_->proves(property, limits);
 }
+
+const std::vector<std::string>& PossibleProof::sequence() const { return states_->sequence(); }
 
 std::size_t PossibleProof::states() const { return states_->states(); }
 

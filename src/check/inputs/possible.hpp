@@ -16,18 +16,14 @@
 //      and that is enabled for all large clock values (EdgeTiming::at_last) leads to a good state. This condition is
 //      sufficient because time can pass until all clocks are large.
 //
-// The proof does not require that all states are good. The *panel* consists of autonomous instances, which read only
-// their own variables. An instance of the panel need not move. It can always return to its initial state by edges whose
-// clock constraints are only lower bounds. Assume that `no timelock` has been proved for runs in which autonomous
-// instances that need not move stay in their locations (ir/network_inputs.hpp, check/inputs/resting.hpp). Then, from
-// any state of the loop, time can diverge while the panel returns to its initial state, and the PLCs end their cycles.
-// Therefore it is sufficient that all states are good in which the panel is in its initial state and each PLC waits. A
-// search of an abstraction finds these states; the panel has the level Chosen and all other processes have the level
-// Untimed. Both values of the flag EVOL_PL, which the panel sets, are considered.
+// The proof does not require that all states are good. It is sufficient that the required states are good
+// (check/inputs/required_states.hpp, which also states the premises). The proof is first attempted with the required
+// states after a homing sequence, and then with the required states without a homing sequence.
 #pragma once
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "check/inputs/follow.hpp"
@@ -42,12 +38,15 @@ public:
                   const InputAblations& ablations = {});
     ~PossibleProof();
 
-    /// Returns the levels of the abstraction whose search finds the states that must be good.
+    /// Returns the levels of the abstraction whose states are considered: Chosen for the panel, Untimed for all other
+    /// processes.
     const std::vector<InputLevel>& levels() const;
     /// Returns true if the `always possible` property `property` holds, false if the four rules cannot prove the
     /// property, and nullopt if a limit is reached. After nullopt, the next call with the same property continues the
     /// search.
     std::optional<bool> proves(const Property& property, const FollowLimits& limits);
+    /// Returns the moves of the homing sequence of the last proof (RequiredStates::sequence).
+    const std::vector<std::string>& sequence() const;
     /// Returns the number of states that all calls explored.
     std::size_t states() const;
 

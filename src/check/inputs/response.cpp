@@ -41,7 +41,11 @@ public:
           property_(*std::ranges::find(states_.network().properties, property.name, &Property::name)),
           is_inevitable_(property.pattern == Pattern::Inevitable),
           p_(is_inevitable_ ? timed::Program::yes : compiled(property_.operands.front())),
-          q_(compiled(property_.operands.back())) {}
+          q_(compiled(property_.operands.back())),
+          is_stored_(loop.processes.size(), true) {
+        for (std::size_t i = 0; i < instances.size(); ++i)
+            is_stored_[instances[i].process.index] = levels[i] != InputLevel::Chosen;
+    }
 
     std::optional<bool> run(const FollowLimits& limits) {
         if (const std::optional<bool> found = states_.run(limits); !found || !*found) return found;
@@ -57,6 +61,9 @@ public:
     }
 
     bool vacuous() const { return !requested_; }
+    /// Returns the Chosen instances (indices in the list of instances) whose values can end the runs without q that
+    /// `run` has found.
+    const std::set<std::size_t>& deciding() const { return deciding_; }
     std::size_t states() const { return states_.size(); }
 
 private:
@@ -89,7 +96,9 @@ private:
         });
     }
 
+    /// True if the process is stored, and the invariant of its location in the state has a bound.
     bool is_bounded(std::uint32_t process, std::uint32_t state) const {
+        if (!is_stored_[process]) return false;
         const auto location = states_.machine().layout().locations[process].get(states_.words(state));
         const Network::Template& automaton = loop_.templates[loop_.processes[{process}].automaton];
         return !automaton.locations[{static_cast<std::uint32_t>(location)}].invariant.empty();
@@ -110,10 +119,29 @@ private:
         for (std::uint32_t state = 0; state < states_.size(); ++state) {
             limits.poll();
             if (components.of(state) == timed::Store::none) continue;
-            if (may_stay(state)) return false;
+            if (may_stay(state)) return fails_in(components.of(state), components);
             if (components.has_cycle(state)) add(state, components, found[components.of(state)]);
         }
-        return std::ranges::none_of(found, [&](const auto& entry) { return may_repeat(entry.second); });
+        const auto repeated = std::ranges::find_if(found, [&](const auto& entry) { return may_repeat(entry.second); });
+        return repeated == found.end() || fails_in(repeated->first, components);
+    }
+
+    /// Finds the Chosen instances whose values enable moves out of `component`, in which a run may stay. Returns false.
+    template <class Components>
+    bool fails_in(std::uint32_t component, const Components& components) {
+        const std::vector<InputChoice>& choices = states_.machine().choices();
+        for (std::uint32_t state = 0; state < states_.size(); ++state) {
+            if (components.of(state) != component) continue;
+            const timed::Moves& moves = states_.expand(state, true);
+            for (std::size_t move = 0; move < moves.edges.size(); ++move) {
+                if (components.of(states_.successor(move)) == component) continue;
+                for (std::size_t i = 0; i < choices.size(); ++i) {
+                    const Word all = ~Word{0} >> (64 - choices[i].valuations.size());
+                    if ((moves.chosen[move * choices.size() + i] & all) != all) deciding_.insert(choices[i].instance);
+                }
+            }
+        }
+        return false;
     }
 
     /// True if time can pass forever in the state.
@@ -150,6 +178,8 @@ private:
     const Property& property_;  // the property, with terms of the abstraction
     const bool is_inevitable_;
     const std::uint32_t p_, q_;
+    std::vector<bool> is_stored_;          // per process: false for instances with the level Chosen
+    std::set<std::size_t> deciding_ = {};  // result of `deciding`
     bool requested_ = false;
     std::vector<std::int64_t> registers_ = {};
 };
@@ -159,12 +189,22 @@ private:
 ResponseResult prove_response(const Network& loop, const std::vector<AbstractableProcess>& instances,
                               const Property& property, const FollowLimits& limits) {
     ResponseResult result;
-    result.levels = panel_levels(loop, instances, instances_read_by(loop, instances, property));
-    Response response(loop, instances, property, result.levels);
-    result.holds = response.run(limits);
-    result.vacuous = response.vacuous();
-    result.states = response.states();
-    return result;
+    const std::set<Id<Network::Process>> read = instances_read_by(loop, instances, property);
+    const std::vector<InputLevel> finest = panel_levels(loop, instances, read);
+    result.levels = levels_with_plant(loop, instances, finest, read);
+    while (true) {
+        Response response(loop, instances, property, result.levels);
+        result.holds = response.run(limits);
+        result.vacuous = response.vacuous();
+        result.states += response.states();
+        if (result.holds != false) return result;
+        const std::vector<InputLevel> before = result.levels;
+        for (const std::size_t instance : response.deciding()) result.levels[instance] = finest[instance];
+        store_what_is_read(instances, result.levels);
+        if (result.levels != before) continue;
+        if (result.levels == finest) return result;
+        result.levels = finest;
+    }
 }
 
 }  // namespace grafverif

@@ -9,6 +9,12 @@
 //     a bound.
 //   - The run has infinitely many moves. Infinitely many states of the run have no enabled urgent edge, and no process
 //     stays forever in a location whose invariant has a bound.
+// The conditions on locations concern only processes that the abstraction stores.
+//
+// The first abstraction has the level Chosen for the panel and for all instances of the plant that the property does not
+// read. If the abstraction has a run of these forms without q, the instances whose values can end this run are stored,
+// and the search is repeated. The last abstraction has the levels of panel_levels.
+//
 // The property holds if each run of these forms reaches q (for `p leads to q`: after each state in which p holds).
 #pragma once
 

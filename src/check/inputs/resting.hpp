@@ -28,19 +28,13 @@
 // time diverges.
 #pragma once
 
-#include <utility>
 #include <vector>
 
+#include "check/inputs/process_states.hpp"
 #include "ir/network_inputs.hpp"
 
 namespace grafverif {
 
-/// A request that a timer accepts, and the Boolean variables of the timer that have one fixed value after all edges
-/// which accept this request.
-struct TimerRequest {
-    Id<Network::Variable> request = {};
-    std::vector<std::pair<Id<Network::Variable>, bool>> results = {};
-};
 /// Returns the requests of all timers. Requires that `network` is expanded.
 std::vector<TimerRequest> requests_of(const Network& network);
 

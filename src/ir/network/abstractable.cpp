@@ -10,6 +10,7 @@
 #include "ir/network_inputs.hpp"
 #include "ir/slots.hpp"
 #include "ir/task_cycles.hpp"
+#include "ir/variable_users.hpp"
 
 namespace grafverif {
 
@@ -18,25 +19,10 @@ namespace {
 constexpr std::size_t most_valuations = 32;
 constexpr std::size_t most_states = 4096;  // maximum number of combinations of location and outputs
 
-/// The writing processes and the reading processes of each variable.
-struct Users {
-    std::vector<std::set<Id<Network::Process>>> writers, readers;
-
-    explicit Users(const Network& network) : writers(network.variables.size()), readers(network.variables.size()) {
-        for (const Id<Network::Process> id : network.processes.ids()) {
-            const Slots slots(network, id);
-            for (const Id<Network::Variable> variable : slots.written()) writers[variable.index].insert(id);
-            for (const Id<Network::Variable> variable : slots.read()) readers[variable.index].insert(id);
-        }
-    }
-};
-
 class Finder {
 public:
     Finder(const Network& network, const InputAblations& ablations)
-        : network_(network), ablations_(ablations), users_(network) {
-        for (const Network::Controller& controller : network.controllers) plcs_.insert(controller.process);
-    }
+        : network_(network), ablations_(ablations), users_(network) {}
 
     std::optional<AbstractableProcess> process(Id<Network::Process> id) const {
         const Network::ProcessKind kind = network_.processes[id].kind;
@@ -58,7 +44,7 @@ public:
         std::set<Id<Network::Process>> readers;
         for (const Id<Network::Variable> variable : made.outputs)
             for (const Id<Network::Process> reader : users_.readers[variable.index])
-                if (reader != id && !plcs_.contains(reader)) readers.insert(reader);
+                if (reader != id && !users_.plcs.contains(reader)) readers.insert(reader);
         add_guards_of_plcs(made.outputs, readers);
         made.readers.assign(readers.begin(), readers.end());
         return made;
@@ -111,7 +97,7 @@ private:
     /// Adds each PLC that reads an output in a guard, because a guard reads the output itself, not the sampled input.
     void add_guards_of_plcs(const std::vector<Id<Network::Variable>>& outputs,
                             std::set<Id<Network::Process>>& readers) const {
-        for (const Id<Network::Process> plc : plcs_)
+        for (const Id<Network::Process> plc : users_.plcs)
             for (const Network::Edge& edge : network_.templates[network_.processes[plc].automaton].edges)
                 each_variable(network_.exprs, edge.guard, [&](Id<Network::Variable> variable) {
                     if (std::ranges::find(outputs, variable) != outputs.end()) readers.insert(plc);
@@ -214,8 +200,7 @@ private:
 
     const Network& network_;
     const InputAblations& ablations_;
-    Users users_;
-    std::set<Id<Network::Process>> plcs_ = {};
+    const VariableUsers users_;
 };
 
 }  // namespace

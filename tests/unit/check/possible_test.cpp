@@ -158,6 +158,62 @@ TEST(PossibleProof, NeedsAnEdgeThatIsPossibleForAllValuesOfTheClocks) {
     EXPECT_TRUE(is_proved(text, {.any_edge = true})) << "the test would not detect that the premise is violated";
 }
 
+/// Returns a loop of a chart with an emergency stop E, which activates step 0, and the plant `plant` with the order Q and
+/// the sensor D.
+std::string with_stop(const std::string& plant, const std::string& property) {
+    return plant_components +
+           "component latch(input P; output S) { initial location off; location on; "
+           "urgent off -> on when P do S := true; }\n"
+           "grafcet c { input A, E, D; output Q; initial step 0; step 1 { Q; } step 2; step 3; "
+           "transition t0: 0 -> 1 when A && !E; transition t1: 1 -> 2 when D && !E; transition t2: 2 -> 3 when A && "
+           "!E; "
+           "transition t3: 3 -> 0 when !A || E; transition e1: 1 -> 0 when E; transition e2: 2 -> 0 when E; }\n"
+           "closed_loop l { controller c; " +
+           plant +
+           " environment EA = push_button(OUT = A); environment EE = emergency_stop(OUT = E); property p: " + property +
+           "; }\n";
+}
+
+TEST(PossibleProof, UsesAHomingSequence) {
+    const std::string two = "plant Fol = follower(P = Q, S = D); plant Other = follower(P = Q, S = F);";
+    const Network network = network_of(with_stop(two, "always possible X3"));
+    const Property& property = network.properties[Id<Property>{0}];
+    PossibleProof proof(network, abstractable_processes(network));
+    PossibleProof without(network, abstractable_processes(network), {.without_homing = true});
+    EXPECT_EQ(proof.proves(property, {}), true);
+    EXPECT_EQ(proof.sequence(), std::vector<std::string>{"`EE` to `pressed`"});
+    EXPECT_EQ(without.proves(property, {}), true);
+    EXPECT_TRUE(without.sequence().empty());
+    EXPECT_LT(proof.states(), without.states());
+}
+
+TEST(PossibleProof, RequiresTheStatesThatAProcessNeedNotLeave) {
+    const std::string text = with_stop("plant Fol = latch(P = Q, S = D);", "always possible !D");
+    EXPECT_FALSE(is_proved(text));
+    EXPECT_TRUE(is_proved(text, {.leave_freely = true})) << "the test would not detect that the premise is violated";
+}
+
+/// The moves of the emergency stop do not request a cycle of the PLC, so the chart may remain in step 1.
+TEST(PossibleProof, UsesOnlyMovesAfterWhichACycleBegins) {
+    Network network = network_of(with_stop("plant Fol = latch(P = Q, S = D);", "always possible X0"));
+    const auto stop = std::ranges::find(network.processes, std::string("EE"), &Network::Process::name);
+    const auto button = std::ranges::find(network.processes, std::string("EA"), &Network::Process::name);
+    ASSERT_NE(stop, network.processes.end());
+    ASSERT_NE(button, network.processes.end());
+    for (const auto process : {stop, button})
+        for (Network::Edge& edge : network.templates[process->automaton].edges)
+            std::erase_if(edge.assignments, [&](const Network::Assignment& assignment) {
+                const auto target = static_cast<std::uint32_t>(network.exprs[assignment.target].value);
+                return network.variables[Id<Network::Variable>{target}].role == Network::Role::Flag;
+            });
+    const auto proves = [&](const InputAblations& ablations) {
+        PossibleProof proof(network, abstractable_processes(network), ablations);
+        return proof.proves(network.properties[Id<Property>{0}], {});
+    };
+    EXPECT_EQ(proves({}), false);
+    EXPECT_EQ(proves({.need_not_begin_cycle = true}), true) << "the test would not detect the violation";
+}
+
 /// Returns the result of prove_response for the first property of the loop.
 ResponseResult response(const std::string& text) {
     const Network network = network_of(text);
@@ -206,9 +262,9 @@ TEST(PossibleProof, EndsAtItsLimitOfStates) {
 TEST(PossibleProof, ContinuesAfterALimitIsReached) {
     const Network network = network_of(with_plant("plant Fol = follower(P = Q, S = D);"));
     const Property& property = network.properties[Id<Property>{0}];
-    PossibleProof uninterrupted(network, abstractable_processes(network));
+    PossibleProof uninterrupted(network, abstractable_processes(network), {.without_homing = true});
     ASSERT_EQ(uninterrupted.proves(property, {}), true);
-    PossibleProof proof(network, abstractable_processes(network));
+    PossibleProof proof(network, abstractable_processes(network), {.without_homing = true});
     std::size_t limits = 0;
     std::optional<bool> proved;
     for (std::size_t states = 2; !proved; ++states, ++limits) {
