@@ -302,9 +302,8 @@ struct RequiredStates::Combination {
     }
 };
 
-/// Visits the combinations of the current values with the states `late` of the Chosen instances from index `first` on,
-/// without the combinations in which one of these instances has an enabled urgent edge. Returns false if a limit is
-/// reached.
+/// Visits the combinations of the current values with the states `late` of the Chosen instances from index `first` on.
+/// Omits combinations in which one of these instances has an enabled urgent edge. Returns false if a limit is reached.
 bool RequiredStates::combine(std::size_t first, Combination& combination) const {
     if (combination.is_over_limits()) return false;
     if (first == chosen_.size()) {
