@@ -86,7 +86,7 @@ export class Find {
         // After a change of the drawings, the matches are determined again.
         if (this.boxes?.some((box) => !box.isConnected)) this.mark(this.matching(this.text));
         if (this.matches.length === 0) return;
-        const from = this.current < 0 && by < 0 ? 0 : this.current;  // without a current match, -1 is the last match
+        const from = this.current < 0 && by < 0 ? 0 : this.current;  // if no match is current, `by` = -1 selects the last match
         this.current = (from + by + this.matches.length) % this.matches.length;
         this.boxes.forEach((box, k) => box.classList.toggle("here", k === this.current));
         this.count.textContent = `${this.current + 1} of ${this.matches.length}`;

@@ -78,8 +78,8 @@ std::string validate_outputs(const CliCommand& verb, const Options& options) {
     if (options.depfile_target && !options.depfile) return "`--depfile-target` requires `--depfile`; add it";
     if (options.depfile_reader && !options.depfile) return "`--depfile-format` requires `--depfile`; add it";
     if (options.certificate && (options.property_file || options.list))
-        return "`--certificate` applies only to checks of closed loops and charts; remove it, or remove `--properties` "
-               "and `--list`";
+        return "`--certificate` applies only to checks of closed loops and charts; remove `--certificate`, or remove "
+               "`--properties` and `--list`";
     const bool one_form = options.format == Format::Json || options.trace_vcd || options.trace_svg ||
                           options.certificate || options.page ||
                           (options.output && !accepts(verb, OptionGroup::OutputDirectory));
@@ -193,7 +193,7 @@ std::string take_constants(const std::vector<std::string>& given, Options& optio
         if (sign == 0 || sign == std::string::npos || sign + 1 == one.size())
             return fmt::format("invalid value `{}` of `--set`; pass a constant and its value, as in `--set N=4`", one);
         if (!options.constants.emplace(one.substr(0, sign), one.substr(sign + 1)).second)
-            return fmt::format("`--set` sets `{}` twice; remove one", one.substr(0, sign));
+            return fmt::format("`--set` sets `{}` twice; remove one of these options", one.substr(0, sign));
     }
     return {};
 }

@@ -46,7 +46,7 @@ private:
 
     void look_at_nodes() {
         std::uint64_t in_use_now = 1, handles = 0;
-        demand(table_.nodes[0].level == constant_level, "the constant has a level: node", 0);
+        demand(table_.nodes[0].level == constant_level, "the constant node has the level of a variable: node", 0);
         for (std::uint32_t n = 1; n < table_.used; ++n) {
             handles += table_.refs[n];
             demand(table_.sweeping || !table_.marked(n), "a mark remains on node", n);

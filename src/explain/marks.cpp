@@ -227,7 +227,8 @@ private:
             for (const Id<Expr> leaf : leaves(system_.exprs, define->value)) add(leaf, pair, moment, before);
     }
 
-    /// Returns the location with which a term such as `location = going_out` compares.
+    /// Returns the number of the location with which `term` compares the symbol `leaf`, for example in
+    /// `location = going_out`. The result is empty if `term` is not a comparison of this form.
     std::optional<std::int64_t> compared_with(Id<Expr> term, Id<Expr> leaf) const {
         if (system_.exprs[term].op != Op::Equal) return {};
         const auto sides = system_.exprs.operands(term);

@@ -99,7 +99,7 @@ std::vector<std::string> assumptions(const PageContent& content) {
     }
     if (settings.untimed.empty())
         sentences.push_back(fmt::format(
-            "Time: the {} engine checked the timed closed loop in units of {}; a PLC cycle takes no time{}.",
+            "Time: the {} engine checked the timed closed loop with a time unit of {}; a PLC cycle takes no time{}.",
             settings.engine, seconds_text(settings.time_unit_ms),
             settings.cycle.empty() ? "" : ", and scans start periodically (" + settings.cycle + ")"));
     else

@@ -134,15 +134,16 @@ void add_margins(const Tuning& tuning, const Row& row, Html& html) {
     const bool on_grid = std::ranges::all_of(
         tuning.constants, [](const TunedConstant& each) { return each.current_index().has_value(); });
     if (row.current.outcome == Outcome::Unknown)
-        return void(html.put("p", "Current values: " + verdict_text(tuning, row.current) + "."));
+        return void(html.put("p", "Verdict with the current values: " + verdict_text(tuning, row.current) + "."));
     if (sentences.empty() && on_grid)
-        html.put("p", fmt::format("Current values: {}. On the grid, a change of a single constant does not change this "
-                                  "verdict.",
+        html.put("p", fmt::format("Verdict with the current values: {}. On the grid, a change of a single constant does "
+                                  "not change this verdict.",
                                   word(row.current.outcome)));
     if (sentences.empty() && !on_grid)
-        html.put("p", fmt::format("Current values: {}. They are not a point of the grid.", word(row.current.outcome)));
+        html.put("p", fmt::format("Verdict with the current values: {}. These values are not a point of the grid.",
+                                  word(row.current.outcome)));
     if (sentences.empty()) return;
-    html.put("p", fmt::format("Current values: {}. Margins:", word(row.current.outcome)))
+    html.put("p", fmt::format("Verdict with the current values: {}. Margins:", word(row.current.outcome)))
         .open("ul", {{"class", "margins"}});
     for (const std::string& sentence : sentences) html.put("li", sentence);
     html.close("ul");

@@ -92,7 +92,7 @@ void print_text(const TestReport& report, bool failures_only, std::ostream& out)
     const std::size_t sequences = report.test.sequences.size();
     out << fmt::format("{} ({}) against `{}`: {} step{}{}\n", report.test.chart, mode_word(report.test.mode),
                        printable(report.controller), steps, steps == 1 ? "" : "s",
-                       sequences == 1 ? "" : fmt::format(" in {} sequences, each from power-on", sequences));
+                       sequences == 1 ? "" : fmt::format(" in {} sequences, each starting at power-on", sequences));
     if (!failures_only)
         out << fmt::format("inputs {} -> outputs {}\n", names(report.test.inputs), names(report.test.outputs));
     print_rows(report, failures_only, out);

@@ -66,7 +66,8 @@ public:
     }
 
     std::size_t evolutions() const { return evolutions_; }
-    /// True if both the run and the rules have a race. Events after the race are not compared.
+    /// True if the run has a race, and the interpreter confirms it with a race or a run-time fault. Events after the
+    /// race are not compared.
     bool raced() const { return raced_; }
     const std::string& racing() const { return racing_; }
     const std::string& name() const { return controller_.name; }

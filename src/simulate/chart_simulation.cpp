@@ -306,7 +306,8 @@ std::string ChartSimulation::force(std::string_view step, bool active) {
     if (!trial) return problem;
     const ManualSituation made = by_hand(chart_, state_.situation, {static_cast<std::uint32_t>(trial->step)}, active);
     if (!made.refusal.empty()) return made.refusal;
-    if (!with_situation(chart_, state_, made.situation, inputs_)) return "a time condition would have no value";
+    if (!with_situation(chart_, state_, made.situation, inputs_))
+        return "the change would make a time condition undefined, for example because its operand divides by zero";
     return make(*trial);
 }
 

@@ -23,8 +23,8 @@
 namespace grafverif {
 namespace {
 
-/// Returns the network without the named invariants, in which the processes may stay in their locations arbitrarily
-/// long.
+/// Returns the network without the invariants of the locations in `blockers`. In this network, the process of each
+/// blocker may stay in the location of the blocker arbitrarily long; all other invariants are unchanged.
 Network without_bounds(const Network& network, const std::vector<Standstill::Blocker>& blockers) {
     Network relaxed = expand(network);
     for (const Standstill::Blocker& each : blockers)

@@ -81,7 +81,7 @@ private:
         }
     }
 
-    /// Returns a chart of three steps. The first one executes `body`.
+    /// Returns a chart of three steps. The first and the last step execute `body`.
     std::string chart_of(const std::string& body, RandomScans& made, bool timers) {
         for (const char* name : {"S0.X", "S1.X", "S2.X"}) made.booleans.emplace_back(name);
         const bool timed = timers && is(60);

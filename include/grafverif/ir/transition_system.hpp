@@ -116,7 +116,8 @@ struct TransitionSystem {
         Id<Expr> evolves = {};  ///< true if the step is one evolution; invalid if all steps are evolutions
         Id<Expr> scans = {};    ///< true if a scan of the task cycle begins; invalid without a task cycle
 
-        /// True if outputs are written; invalid if each evolution writes the outputs as the execution mode requires.
+        /// True if outputs are written; invalid if writing is part of the step that executes an evolution. Under
+        /// stability search, this step writes the outputs only if the situation after the evolution is stable.
         Id<Expr> writes = {};
         bool operator==(const Controller&) const = default;
     };

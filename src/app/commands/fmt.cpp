@@ -40,7 +40,8 @@ CliCommand fmt_usage() {
         1,
         any_number,
         "print a file in canonical form",
-        "Prints FILE in canonical form: one declaration per line, with comments. Canonical text is not changed.",
+        "Prints FILE in canonical form, with one declaration per line; comments are kept. A file in canonical form is\n"
+        "printed unchanged.",
         {"grafverif fmt station.grafcet", "grafverif fmt -i station.grafcet", "grafverif fmt --check station.grafcet"},
         {OptionGroup::Output, OptionGroup::InPlace}};
 }

@@ -70,7 +70,7 @@ private:
     void execute_wait(const std::string& line) {
         const Command command = command_of(line);
         const WaitCommand* const wait = std::get_if<WaitCommand>(&command);
-        if (clock_ == Clock::Real) refuse("`wait` is allowed only with `--clock simulated`; remove it");
+        if (clock_ == Clock::Real) refuse("`wait` requires `--clock simulated`; use this option, or remove `wait`");
         else if (wait == nullptr || !wait->milliseconds)
             refuse("`wait` requires a duration; write `3s`, `250ms` or `2min`, for example");
         else plc_.wait(*wait->milliseconds);

@@ -155,9 +155,9 @@ CliCommand replay_usage() {
             1,
             "check a recording of a controller against its chart",
             "Checks a recording of the inputs and outputs of a controller against the charts of FILE. The recording\n"
-            "conforms if the chart with these inputs can have these outputs, and each recorded time differs from the\n"
-            "time in the controller by at most the jitter (docs/how-to/check-recordings.md). Otherwise, the first\n"
-            "deviation is printed. The log is CSV with a first line of column names, JSON lines or VCD; `-` is\n"
+            "conforms if the chart can produce the recorded outputs for the recorded inputs. Each recorded time may\n"
+            "differ from the time in the controller by at most the jitter (docs/how-to/check-recordings.md). If the\n"
+            "recording does not conform, the first deviation is printed. The log is CSV with a first line of column names, JSON lines or VCD; `-` is\n"
             "standard input. The mode is stability-search. With --skew, columns can be recorded with separate\n"
             "clocks. --report writes the verdicts as an HTML report, with a player for the run. Exit code 1: the\n"
             "recording deviates or violates a property; 3: inconclusive.",

@@ -152,14 +152,11 @@ CliCommand edit_usage() {
         1,
         1,
         "edit a chart on its drawing in the browser",
-        "Prints a local address at which the browser shows FILE as drawing and as text. Operations on the drawing "
-        "change "
-        "the text;\n"
-        "comments and layout are kept. Verdicts and the simulator are updated after each change. Only this machine can "
-        "open the\n"
-        "page, and only with the token of the address. FILE is written only on request, and a change by another\n"
-        "program is overwritten only after confirmation. Changes that are not saved are kept in the file\n"
-        ".FILE.unsaved. Ctrl-C stops the server.",
+        "Prints a local address at which the browser shows FILE as a drawing and as text. Operations on the drawing\n"
+        "change the text; comments and layout are kept. Verdicts and the simulator are updated after each change.\n"
+        "The page can be opened only on this machine, and only with the token in the address. FILE is written only on\n"
+        "request, and a change by another program is overwritten only after confirmation. Changes that are not saved\n"
+        "are kept in the file .FILE.unsaved. Ctrl-C stops the server.",
         {"grafverif edit press.grafcet --open", "grafverif edit station.grafcet --port 8060"},
         {OptionGroup::Serve, OptionGroup::Constants, OptionGroup::Mode, OptionGroup::Grain}};
 }
@@ -173,10 +170,10 @@ CliCommand serve_usage() {
         "show a file in the browser while editing: drawings, verdicts, simulator",
         "Prints a local address at which the browser shows the current state of FILE: diagnostics, charts, verdicts, "
         "and an\n"
-        "interactive simulator. The page is updated when FILE or an included file is saved. Only this machine can open "
-        "the page,\n"
-        "and only with the token of the address. Nothing is written, except a temporary file with --open. Ctrl-C stops "
-        "the server. With --properties FILE, the page shows a PLC program and its verdicts.",
+        "interactive simulator. The page is updated when FILE or an included file is saved. The page can be opened "
+        "only on\n"
+        "this machine, and only with the token in the address. Nothing is written, except a temporary file with --open. "
+        "Ctrl-C stops the server. With --properties FILE, the page shows a PLC program and its verdicts.",
         {"grafverif serve samples/oven_door/oven_door.grafcet", "grafverif serve station.grafcet --port 8060 --open",
          "grafverif serve docs/drive.st --properties docs/drive.yaml"},
         {OptionGroup::Serve, OptionGroup::ProgramProperties, OptionGroup::Constants, OptionGroup::Mode,

@@ -340,7 +340,7 @@ CliCommand simulate_usage() {
         "FILE",
         1,
         1,
-        "simulate a closed loop or a chart interactively, by a script or at random",
+        "simulate a closed loop or a chart interactively, from a script or at random",
         "Runs the closed loop of FILE. Commands select the moves of the plant and its environment, set inputs, and\n"
         "let time pass; the controller moves automatically. Commands come from standard input or from a script\n"
         "(--script). With --verbose, every edge is a choice. If FILE has no closed loop, or with --chart, a chart "

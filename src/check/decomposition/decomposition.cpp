@@ -265,7 +265,8 @@ void DecomposedCheck::show(Verdict& verdict, const SubNetwork& of, const PartNum
     if (maximal && !verdict.run->loop) verdict.run = continued(network_, std::move(*verdict.run));
     if (verdict.run->moves.size() <= most_moves) return;
     verdict.run.reset();
-    verdict.notes.emplace_back("no trace is given: with the moves of the other sub-loops, the trace is too long");
+    verdict.notes.emplace_back(
+        "no trace is given: with the moves of the other sub-loops, the trace would have more than 100,000 moves");
 }
 
 void DecomposedCheck::answer(SubsystemQuery& question) {

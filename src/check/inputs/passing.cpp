@@ -162,8 +162,8 @@ std::optional<bool> InputAbstractionCheck::prove_possible(std::size_t k, const F
     found.states = std::to_string(possible_->states());
     found.notes = {"proved with only those edges that can be taken for all values of the clocks"};
     if (const std::vector<std::string>& moves = possible_->sequence(); !moves.empty())
-        found.notes.push_back(fmt::format("in each state, the panel can reduce the possible states by these moves: {}",
-                                          fmt::join(moves, ", ")));
+        found.notes.push_back(fmt::format("in each state, moves of the panel can lead to few possible states: {}",
+                                          fmt::join(moves, ", then ")));
     conclude(k, found, possible_->levels());
     return true;
 }

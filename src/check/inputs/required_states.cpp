@@ -2,6 +2,7 @@
 #include "check/inputs/required_states.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cassert>
@@ -111,13 +112,26 @@ bool RequiredStates::find_sequence(const FollowLimits& limits) {
             }
         }
         if (!best) break;
-        const ProcessStates& moved = chosen_[best->instance].local;
+        sequence_.push_back(text_of(*best));
         chosen_[best->instance].now = best->to;
-        sequence_.push_back(fmt::format("`{}` to `{}`", loop_.processes[moved.process()].name,
-                                        moved.automaton().locations[moved.states()[best->to].location].name));
         found_ = std::move(after_best);
     }
     return true;
+}
+
+std::string RequiredStates::text_of(const PanelMove& move) const {
+    const Chosen& instance = chosen_[move.instance];
+    const ProcessStates& local = instance.local;
+    const ProcessStates::State &from = local.states()[instance.now], &to = local.states()[move.to];
+    std::vector<std::string> changes;
+    for (std::size_t i = 0; i < local.own().size(); ++i) {
+        const Network::Variable& variable = loop_.variables[local.own()[i]];
+        if (from.values[i] == to.values[i]) continue;
+        const std::string value =
+            variable.type.boolean ? (to.values[i] != 0 ? "true" : "false") : std::to_string(to.values[i]);
+        changes.push_back(fmt::format("`{}` becomes {}", variable.name, value));
+    }
+    return fmt::format("{}", fmt::join(changes, " and "));
 }
 
 /// True if a cycle of the PLC begins after the edge, before time passes.

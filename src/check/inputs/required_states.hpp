@@ -46,7 +46,7 @@ namespace grafverif {
 class RequiredStates {
 public:
     /// `panel_levels` are the levels of the function panel_levels. A homing sequence requires that the loop has one
-    /// controller. `loop` must be expanded and must not be an abstraction. The arguments must outlive the object.
+    /// controller. `loop` must be expanded, must not be an abstraction, and must outlive the object.
     RequiredStates(const Network& loop, const std::vector<AbstractableProcess>& instances,
                    const std::vector<InputLevel>& panel_levels, bool with_sequence, const InputAblations& ablations);
     RequiredStates(RequiredStates&&) = delete;
@@ -61,7 +61,7 @@ public:
     bool each(const timed::Layout& to, const FollowLimits& limits,
               const std::function<void(const timed::Word*)>& visit) const;
 
-    /// Describes the moves of the homing sequence, such as "`Stop` to `pressed`"; empty without moves.
+    /// Describes the moves of the homing sequence, such as "`ESTOP` becomes true".
     const std::vector<std::string>& sequence() const { return sequence_; }
     std::size_t size() const { return states_.size(); }
 
@@ -81,6 +81,7 @@ private:
     using Numbers = std::vector<std::uint32_t>;  // numbers of states of the abstraction
 
     bool find_sequence(const FollowLimits& limits);
+    std::string text_of(const PanelMove& move) const;
     bool begins_cycle(const ProcessStates& local, std::uint32_t edge);
     bool begins_cycle(const std::set<Id<Network::Variable>>& flags);
     std::vector<timed::Word> admitted(const PanelMove& move) const;
@@ -91,7 +92,7 @@ private:
     bool combine(std::size_t first, Combination& combination) const;
 
     const Network& loop_;
-    const std::vector<AbstractableProcess>& instances_;
+    const std::vector<AbstractableProcess> instances_;
     const InputAblations ablations_;
     const TimedOptions options_ = {};
     const timed::Limits unlimited_{options_};

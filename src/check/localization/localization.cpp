@@ -326,8 +326,8 @@ std::string LocalizationCheck::assumed_behaviour(const LocalNetwork& local) cons
     std::vector<std::string> names;
     for (const std::size_t i : local.known) names.push_back(known_[i].name);
     if (names.empty()) return "may do anything at any time, which is an over-approximation";
-    return fmt::format("may have any behaviour that satisfies {}, which {}; this is an over-approximation",
-                       fmt::join(names, ", "), names.size() == 1 ? "holds" : "hold");
+    return fmt::format("may have any behaviour that satisfies the proved {1} {0}; this is an over-approximation",
+                       fmt::join(names, ", "), names.size() == 1 ? "property" : "properties");
 }
 
 SearchScope LocalizationCheck::scope(const std::set<std::uint32_t>& searched, std::string because) const {

@@ -4,7 +4,7 @@
 // searches all runs up to a length that is increased step by step.
 //
 // PDR proves that a property holds (for `reachable`: that it is violated) by an inductive invariant, which an
-// independent second solver checks. BMC cannot prove that a property holds. Other engines can be used in place of PDR
+// independent second solver checks. BMC has a result only if it finds a run. Other engines can be used in place of PDR
 // (PdrOptions::reach); their results are validated in the same way. For a violation, the engine returns a run; this run
 // is validated by evaluating the terms of the system. If PDR finds a run, BMC searches for a shorter run. If a shorter
 // run may still exist, a note states this.

@@ -48,9 +48,9 @@ public:
 private:
     using Bits = std::vector<std::uint64_t>;
 
-    /// The candidates of a latch a. Candidate for each latch b in `both`: a and b are never both true. Candidate for
-    /// each latch b in `without`: a is never true while b is false. If `never` is true, the only candidate is that a is
-    /// never true.
+    /// The candidates of a latch a. Candidate for each latch b in `both`: a and b are true. Candidate for each latch b
+    /// in `without`: a is true and b is false. If `never` is true, the only candidate of the row is the single value
+    /// "a is true".
     struct Row {
         Bits both = {}, without = {};
         bool never = true;

@@ -56,8 +56,8 @@ private:
             questions.push_back({{"symbol", (runs ? "j" : "b") + std::to_string(runs ? justice++ : bad++)},
                                  {"property", property.name},
                                  {"text", property.text},
-                                 {"meaning", runs ? "a run that satisfies each condition of the list infinitely often "
-                                                    "proves that the property is violated"
+                                 {"meaning", runs ? "a run that satisfies every condition of this justice property "
+                                                    "infinitely often proves that the property is violated"
                                                   : what_it_means(property.pattern)}});
         }
         return questions;

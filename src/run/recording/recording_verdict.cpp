@@ -91,8 +91,8 @@ RecordingVerdict RecordingCheck::verdict() const {
         result.kind = Kind::Unknown;
         const std::string remedy = settings_.clocks.empty() ? "reduce `--jitter`" : "reduce `--jitter` or `--skew`";
         result.reason = limit_ == Limit::Orders      ? "too many orders of events are possible; " + remedy
-                        : limit_ == Limit::Reactions ? "too many possible sequences of instants between two samples; "
-                                                       "record more samples or " +
+                        : limit_ == Limit::Reactions ? "too many sequences of instants are possible between two "
+                                                       "samples; record samples at shorter intervals, or " +
                                                            remedy
                                                      : "stopped before the end of the log; no deviation up to the last "
                                                        "sample read";

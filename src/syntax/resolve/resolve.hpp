@@ -24,10 +24,9 @@
 
 namespace grafverif {
 
-// All functions add the declarations and references of the tree to `record`. The functions also add
-// the number of elements in copies of replicated declarations to `copied`; this number is limited
-// (see `largest_expansion`). If the resolution continues after errors (see Recorder), the result
-// lacks only the parts with errors instead of being empty.
+// The `resolve_` functions add the declarations and references of the tree to `record`, and the number of elements in
+// copies of replicated declarations to `copied`; this number is limited (see `largest_expansion`). If the resolution
+// continues after errors (see Recorder), the result lacks only the parts with errors instead of being empty.
 
 /// Resolves a chart. The result is empty after at least one error. The returned chart can contain
 /// constructs that a later stage rejects. The chart can contain instances of `charts`, which must

@@ -280,7 +280,8 @@ TEST(Decomposition, ARunInWhichOthersMoveTooOftenIsNotShown) {
     EXPECT_FALSE(verdict(result, "never").run);
     EXPECT_EQ(
         verdict(result, "never").notes,
-        std::vector<std::string>{"no trace is given: with the moves of the other sub-loops, the trace is too long"});
+        std::vector<std::string>{
+            "no trace is given: with the moves of the other sub-loops, the trace would have more than 100,000 moves"});
 }
 
 /// One part stops time, and the other part counts for a long time within that instant.
@@ -302,7 +303,8 @@ TEST(Decomposition, FiniteRunNextToAVeryLongOneIsNotShown) {
     EXPECT_FALSE(verdict(result, "ends").run);
     EXPECT_EQ(
         verdict(result, "ends").notes,
-        std::vector<std::string>{"no trace is given: with the moves of the other sub-loops, the trace is too long"});
+        std::vector<std::string>{
+            "no trace is given: with the moves of the other sub-loops, the trace would have more than 100,000 moves"});
 }
 
 TEST(Decomposition, BoundOfOneSearchIsReportedAsThatOfTheCompleteSearch) {

@@ -143,7 +143,7 @@ TEST(Localization, InvariantOfANeighbourExcludesItsViolation) {
     const SearchScope scope = verdict(found, "never_z").scope;
     EXPECT_EQ(scope.searched, std::vector<std::string>{"B"});
     EXPECT_EQ(scope.because,
-              "may have any behaviour that satisfies as_one, which holds; this is an over-approximation");
+              "may have any behaviour that satisfies the proved property as_one; this is an over-approximation");
 }
 
 TEST(Localization, SmallSearchDoesNotWaitForALargeOne) {

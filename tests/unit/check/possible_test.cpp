@@ -181,7 +181,7 @@ TEST(PossibleProof, UsesAHomingSequence) {
     PossibleProof proof(network, abstractable_processes(network));
     PossibleProof without(network, abstractable_processes(network), {.without_homing = true});
     EXPECT_EQ(proof.proves(property, {}), true);
-    EXPECT_EQ(proof.sequence(), std::vector<std::string>{"`EE` to `pressed`"});
+    EXPECT_EQ(proof.sequence(), (std::vector<std::string>{"`E` becomes true", "`A` becomes true"}));
     EXPECT_EQ(without.proves(property, {}), true);
     EXPECT_TRUE(without.sequence().empty());
     EXPECT_LT(proof.states(), without.states());

@@ -371,7 +371,7 @@ TEST(TuningPage, AnUnknownVerdictHasNoMargins) {
         }
     });
     EXPECT_EQ(count_of(open.page, sentence), 0U);
-    EXPECT_EQ(count_of(open.page, "Current values: unknown: not checked."), 3U);
+    EXPECT_EQ(count_of(open.page, "Verdict with the current values: unknown: not checked."), 3U);
 }
 
 }  // namespace

@@ -9,7 +9,8 @@
 namespace grafverif {
 namespace {
 
-/// Returns a bench with a single component. Some of its inputs are true from the start, all in the same instant.
+/// Returns a bench with the component `name` alone. The inputs in `orders` are true initially, so they become true
+/// simultaneously.
 Bench bench_ordered(const std::string& name, const std::map<std::string, std::int64_t>& constants,
                     const std::vector<std::string>& orders) {
     Network network = lone_component(library_component(name), constants);

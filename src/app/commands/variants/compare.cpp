@@ -73,7 +73,7 @@ bool set_program_options(const CompareOperand& a, const CompareOperand& b, Comma
     if (options.settled && !program)
         reject("`--compare settled` applies to programs, but both files are charts", "remove it");
     if (options.settled && (options.all_modes || options.mode == ExecutionMode::EveryCycle))
-        reject("`--compare settled` requires the mode `stability-search`", "remove `--mode` and `--all-modes`");
+        reject("`--compare settled` requires the mode `stability-search`", "remove `--mode` or `--all-modes`");
     set.settles = options.settled;
     set.ignored = options.ignored_outputs;
     const auto read_pair = [&](const std::string& text, std::string_view option, std::string_view form) {
