@@ -309,7 +309,8 @@ void accept(const Chart& chart, Analysis& result) {
 
 void add_notes(const Equations& equations, const AnalyseOptions& options, Analysis& result) {
     result.notes.emplace_back(options.mode == ExecutionMode::StabilitySearch
-                                  ? "inputs change only in stable situations (IEC 60848); the cycle time is taken as zero"
+                                  ? "inputs change only in stable situations (IEC 60848); the cycle time is taken "
+                                    "as zero"
                                   : "each cycle samples the inputs and executes one evolution");
     if (!equations.timers.empty() && !options.instability_only)
         result.notes.emplace_back(

@@ -11,9 +11,8 @@
 // A test step of two cycles also traverses a second, stable transition, which stays in the reached state. A stable
 // transition needs no separate step if the tour arrives in its state with the inputs of this transition. If the graph
 // is strongly connected, the test has one sequence. Otherwise, the test may have several sequences, each starting at
-// power-on.
-// The total length of the sequences is minimal, and among all solutions of this length, the number of sequences is
-// minimal.
+// power-on. The total length of the sequences is minimal, and among all solutions of this length, the number of
+// sequences is minimal.
 //
 // For a cover of locations, the tour repeatedly goes to the nearest unvisited state. The resulting tour is short, but
 // it is proved to be minimal only if it repeats no step.

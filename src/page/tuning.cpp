@@ -136,8 +136,8 @@ void add_margins(const Tuning& tuning, const Row& row, Html& html) {
     if (row.current.outcome == Outcome::Unknown)
         return void(html.put("p", "Verdict with the current values: " + verdict_text(tuning, row.current) + "."));
     if (sentences.empty() && on_grid)
-        html.put("p", fmt::format("Verdict with the current values: {}. On the grid, a change of a single constant does "
-                                  "not change this verdict.",
+        html.put("p", fmt::format("Verdict with the current values: {}. On the grid, a change of a single constant "
+                                  "does not change this verdict.",
                                   word(row.current.outcome)));
     if (sentences.empty() && !on_grid)
         html.put("p", fmt::format("Verdict with the current values: {}. These values are not a point of the grid.",

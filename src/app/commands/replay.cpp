@@ -157,10 +157,10 @@ CliCommand replay_usage() {
             "Checks a recording of the inputs and outputs of a controller against the charts of FILE. The recording\n"
             "conforms if the chart can produce the recorded outputs for the recorded inputs. Each recorded time may\n"
             "differ from the time in the controller by at most the jitter (docs/how-to/check-recordings.md). If the\n"
-            "recording does not conform, the first deviation is printed. The log is CSV with a first line of column names, JSON lines or VCD; `-` is\n"
-            "standard input. The mode is stability-search. With --skew, columns can be recorded with separate\n"
-            "clocks. --report writes the verdicts as an HTML report, with a player for the run. Exit code 1: the\n"
-            "recording deviates or violates a property; 3: inconclusive.",
+            "recording does not conform, the first deviation is printed. The log is CSV with a first line of column\n"
+            "names, JSON lines or VCD; `-` is standard input. The mode is stability-search. With --skew, columns can\n"
+            "be recorded with separate clocks. --report writes the verdicts as an HTML report, with a player for the\n"
+            "run. Exit code 1: the recording deviates or violates a property; 3: inconclusive.",
             {"grafverif replay press.grafcet --log night.csv --jitter 20ms",
              "grafverif replay press.grafcet --log night.csv --skew VALVE,LAMP=500ms",
              "grafverif replay press.grafcet --log night.csv --map %I0.3=START --format json",

@@ -172,8 +172,8 @@ CliCommand serve_usage() {
         "and an\n"
         "interactive simulator. The page is updated when FILE or an included file is saved. The page can be opened "
         "only on\n"
-        "this machine, and only with the token in the address. Nothing is written, except a temporary file with --open. "
-        "Ctrl-C stops the server. With --properties FILE, the page shows a PLC program and its verdicts.",
+        "this machine, and only with the token in the address. Nothing is written, except a temporary file with "
+        "--open. Ctrl-C stops the server. With --properties FILE, the page shows a PLC program and its verdicts.",
         {"grafverif serve samples/oven_door/oven_door.grafcet", "grafverif serve station.grafcet --port 8060 --open",
          "grafverif serve docs/drive.st --properties docs/drive.yaml"},
         {OptionGroup::Serve, OptionGroup::ProgramProperties, OptionGroup::Constants, OptionGroup::Mode,
