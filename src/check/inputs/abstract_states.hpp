@@ -40,9 +40,9 @@ public:
     /// location inside its cycle. Returns nullopt if a limit is reached; the next call continues the search.
     std::optional<bool> run(const FollowLimits& limits);
 
-    /// `expand` returns the moves of a state, with Moves::chosen if `with_choices` is true. `successor` returns the state to which a move of the last expanded state
-    /// leads; `move` is the number of this move.
+    /// Returns the moves of a state, with Moves::chosen if `with_choices` is true.
     const timed::Moves& expand(std::uint32_t state, bool with_choices = false);
+    /// Returns the state to which move number `move` of the last expanded state leads.
     std::uint32_t successor(std::size_t move);
     const timed::Word* words(std::uint32_t state) const { return states_->words(state); }
 

@@ -271,6 +271,8 @@ public:
                 required_.each(good.layout(), limits, [&](const Word* words) { good.require(words); });
             if (!proof_->is_complete) proved.reset();
         }
+        // Time diverges, so a run reaches some required state. Without a required state, a premise would be violated.
+        if (proved && good.size() == 0) proved = false;
         if (proved && *proved) proved = good.run(limits);
         states_ += good.size() - before;
         if (proved) proof_.reset();

@@ -69,7 +69,7 @@ public:
     /// other processes have only valuations for which `admitted` is true. A state is excluded if the process must leave
     /// it and cannot return to it. The process must leave a state if the invariant of its location has a bound, or if
     /// each admitted valuation enables an urgent edge. If `leave_freely` is true (InputAblations), the process is
-    /// assumed to leave every state.
+    /// assumed to leave every state. Requires that some valuation is admitted.
     std::vector<bool> late(const std::vector<bool>& possible, const std::vector<bool>& admitted,
                            bool leave_freely = false) const;
 

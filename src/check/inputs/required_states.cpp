@@ -209,8 +209,8 @@ std::optional<RequiredStates::Numbers> RequiredStates::after(const PanelMove& mo
         const timed::Moves& moves = states_.expand(state, true);
         for (std::size_t taken = 0; taken < moves.edges.size(); ++taken) {
             if (begins && machine.process_of(moves.edges[taken]) != plc) continue;
-            bool is_possible = true;
-            for (std::size_t i = 0; i < sets.size(); ++i)
+            bool is_possible = true;  // for a move of another process, Moves::chosen has no sets
+            for (std::size_t i = 0; i < sets.size() && machine.process_of(moves.edges[taken]) == plc; ++i)
                 is_possible = is_possible && (moves.chosen[taken * sets.size() + i] & sets[i]) != 0;
             if (!is_possible) continue;
             const std::uint32_t next = states_.successor(taken);

@@ -136,6 +136,7 @@ private:
             for (std::size_t move = 0; move < moves.edges.size(); ++move) {
                 if (components.of(states_.successor(move)) == component) continue;
                 for (std::size_t i = 0; i < choices.size(); ++i) {
+                    if (states_.machine().process_of(moves.edges[move]) != choices[i].plc) continue;
                     const Word all = ~Word{0} >> (64 - choices[i].valuations.size());
                     if ((moves.chosen[move * choices.size() + i] & all) != all) deciding_.insert(choices[i].instance);
                 }

@@ -45,7 +45,8 @@ struct Moves {
     Forks forks = {};
     /// If true, `chosen` is computed, and the values of variables that are not stored are copied to the successors.
     bool record_choices = false;
-    /// Only if `record_choices` is true: per move and input choice, the set of valuations that remain possible.
+    /// Only if `record_choices` is true: per move and input choice, the set of valuations that remain possible; 0 if the
+    /// move belongs to a process other than the PLC of the choice.
     std::vector<Word> chosen = {};
     bool cut = false;     ///< true if an edge reads more than Machine::most_choices combinations of chosen inputs
     bool urgent = false;  ///< true if some urgent edge is enabled, so that time cannot pass

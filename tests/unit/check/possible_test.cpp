@@ -5,9 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <string>
 
 #include "check/inputs/inputs.hpp"
+#include "check/inputs/required_states.hpp"
 #include "check/inputs/response.hpp"
 #include "check/inputs/resting.hpp"
 #include "support/read_loop.hpp"
@@ -191,6 +193,48 @@ TEST(PossibleProof, RequiresTheStatesThatAProcessNeedNotLeave) {
     const std::string text = with_stop("plant Fol = latch(P = Q, S = D);", "always possible !D");
     EXPECT_FALSE(is_proved(text));
     EXPECT_TRUE(is_proved(text, {.leave_freely = true})) << "the test would not detect that the premise is violated";
+}
+
+/// Returns a loop in which step 1 is activated if A is pressed for 2 s, and is never left while D is false.
+Network after_a_delay(const std::string& property) {
+    return network_of(
+        "component latch(input P; output S) { initial location off; location on; "
+        "urgent off -> on when P do S := true; }\n"
+        "grafcet c { input A, D; output Q; initial step 0; step 1 { Q; } step 2; "
+        "transition t0: 0 -> 1 when 2s/A; transition t1: 1 -> 2 when D; }\n"
+        "closed_loop l { controller c; plant P = latch(P = Q, S = D); "
+        "environment EA = push_button(OUT = A); property p: " +
+        property + "; }\n");
+}
+
+TEST(PossibleProof, ConsidersTheMovesOfTimers) {
+    for (const char* property : {"always possible X0", "always possible X1", "always possible false && X1"}) {
+        const Network network = after_a_delay(property);
+        PossibleProof proof(network, abstractable_processes(network));
+        EXPECT_EQ(proof.proves(network.properties[Id<Property>{0}], {}), false) << property;
+    }
+    const Network network = after_a_delay("always possible X2");
+    PossibleProof proof(network, abstractable_processes(network));
+    EXPECT_EQ(proof.proves(network.properties[Id<Property>{0}], {}), true);
+}
+
+/// After the homing sequence, time passes in some required state, and the timer of A may be running.
+TEST(RequiredStates, ContainAllStatesOfTimers) {
+    const Network network = after_a_delay("always possible X2");
+    const std::vector<AbstractableProcess> instances = abstractable_processes(network);
+    RequiredStates required(network, instances, panel_levels(network, instances, {}), true, {});
+    ASSERT_EQ(required.find({}), true);
+    const timed::Machine machine(network);
+    timed::Moves moves;
+    std::set<std::int64_t> locations;  // locations of the timer in required states in which time passes
+    const auto timer = std::ranges::find(network.processes, Network::ProcessKind::Timer, &Network::Process::kind);
+    ASSERT_NE(timer, network.processes.end());
+    const auto index = static_cast<std::size_t>(timer - network.processes.begin());
+    EXPECT_TRUE(required.each(machine.layout(), {}, [&](const timed::Word* words) {
+        machine.expand(words, moves);
+        if (!moves.urgent) locations.insert(machine.layout().locations[index].get(words));
+    }));
+    EXPECT_GE(locations.size(), 2U);
 }
 
 /// The moves of the emergency stop do not request a cycle of the PLC, so the chart may remain in step 1.
