@@ -164,8 +164,9 @@ TEST(PossibleProof, NeedsAnEdgeThatIsPossibleForAllValuesOfTheClocks) {
 /// the sensor D.
 std::string with_stop(const std::string& plant, const std::string& property) {
     return plant_components +
-           "component latch(input P; output S) { initial location off; location on; "
-           "urgent off -> on when P do S := true; }\n"
+           "component latch(input P; output S) { clock t; initial location off; location idle; location on; "
+           "urgent off -> on when P do S := true; timed off -> idle when t >= 1s do t := 0; "
+           "timed idle -> off when t >= 1s do t := 0; }\n"
            "grafcet c { input A, E, D; output Q; initial step 0; step 1 { Q; } step 2; step 3; "
            "transition t0: 0 -> 1 when A && !E; transition t1: 1 -> 2 when D && !E; transition t2: 2 -> 3 when A && "
            "!E; "
