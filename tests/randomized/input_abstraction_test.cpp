@@ -373,8 +373,7 @@ TEST(InputAbstraction, EachPremiseIsNeeded) {
           Premise{"bounds of observers become weaker", &InputAblations::round_inward},
           Premise{"time diverges", &InputAblations::need_not_diverge, {"stuck"}, 1131},
           Premise{"moves take time", &InputAblations::need_not_take_time, {"follower"}, 1076},
-          Premise{"the panel returns", &InputAblations::need_not_return, {"follower"}, 1081},
-          Premise{"a process may stay", &InputAblations::leave_freely, {"early"}}}) {
+          Premise{"the panel returns", &InputAblations::need_not_return, {"follower"}, 1081}}) {
         InputAblations ablations;
         ablations.*premise.omitted = true;
         std::map<std::string, int> seen;
