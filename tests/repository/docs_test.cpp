@@ -87,7 +87,7 @@ public:
     Workplace() {
         std::string pattern = (fs::temp_directory_path() / "grafverif-docs-XXXXXX").string();
         folder_ = ::mkdtemp(pattern.data());
-        for (const char* name : {"docs", "samples", "templates"})
+        for (const char* name : {"bench", "docs", "samples", "templates"})
             fs::create_directory_symlink(root / name, folder_ / name);
     }
     Workplace(const Workplace&) = delete;
