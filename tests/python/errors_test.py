@@ -54,7 +54,7 @@ def test_constants_that_cannot_be_set_are_refused():
     for value in (1.5, None, [1]):
         with pytest.raises(TypeError, match="COUNT"):
             grafverif.parse(text, constants={"COUNT": value})
-    with pytest.raises(grafverif.GrafverifError, match="no constant"):
+    with pytest.raises(grafverif.GrafverifError, match="no closed-loop constant"):
         grafverif.read(blinker, constants={"COUNT": 3})
 
 

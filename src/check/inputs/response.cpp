@@ -194,8 +194,10 @@ ResponseResult prove_response(const Network& loop, const std::vector<Abstractabl
     const std::vector<InputLevel> finest = panel_levels(loop, instances, read);
     result.levels = levels_with_plant(loop, instances, finest, read);
     while (true) {
+        FollowLimits left = limits;  // the abstractions share the maximum number of states
+        left.states -= std::min(left.states, result.states);
         Response response(loop, instances, property, result.levels);
-        result.holds = response.run(limits);
+        result.holds = response.run(left);
         result.vacuous = response.vacuous();
         result.states += response.states();
         if (result.holds != false) return result;
