@@ -119,6 +119,12 @@ bool resets(const Network::Edge& edge, Id<Network::Clock> clock) {
     return std::ranges::find(edge.resets, clock) != edge.resets.end();
 }
 
+bool waits_only(const Network::Edge& edge) {
+    return std::ranges::all_of(edge.constraint, [](const Network::ClockConstraint& constraint) {
+        return constraint.relation == Op::Greater || constraint.relation == Op::GreaterEqual;
+    });
+}
+
 EdgeTiming timing_of(const Network& network, const ProcessClocks& clocks, const Network::Template& automaton,
                      const Network::Edge& edge) {
     const std::size_t count = automaton.clocks.size();

@@ -72,6 +72,9 @@ struct EdgeTiming {
     bool at_last = false;  ///< true if the edge is enabled for all sufficiently large values of all clocks
 };
 
+/// True if the clock constraint of the edge consists only of lower bounds.
+bool waits_only(const Network::Edge& edge);
+
 /// `clocks` is the clock analysis of the process. Requires that the network is expanded.
 EdgeTiming timing_of(const Network& network, const ProcessClocks& clocks, const Network::Template& automaton,
                      const Network::Edge& edge);

@@ -23,13 +23,6 @@ using VariableId = Id<Network::Variable>;
 constexpr std::size_t most_flags = 4;   // maximum number of flags that Chosen instances may set
 constexpr std::size_t most_length = 8;  // maximum number of moves of a homing sequence
 
-/// True if the edge has only lower bounds of clocks.
-bool waits_only(const Network::Edge& edge) {
-    return std::ranges::all_of(edge.constraint, [](const Network::ClockConstraint& constraint) {
-        return constraint.relation == Op::Greater || constraint.relation == Op::GreaterEqual;
-    });
-}
-
 /// Evaluates a guard in a packed state; the variables in `set` have the value true.
 bool holds(const Network& network, Id<Expr> guard, const Layout& layout, const Word* words,
            const std::set<VariableId>& set = {}) {
@@ -119,6 +112,7 @@ bool RequiredStates::find_sequence(const FollowLimits& limits) {
     return true;
 }
 
+/// Describes the values that `move` changes.
 std::string RequiredStates::text_of(const PanelMove& move) const {
     const Chosen& instance = chosen_[move.instance];
     const ProcessStates& local = instance.local;
@@ -204,26 +198,27 @@ std::optional<RequiredStates::Numbers> RequiredStates::after(const PanelMove& mo
     const Id<Network::Process> plc = loop_.controllers[Id<Network::Controller>{0}].process;
     std::vector<bool> seen(states_.size(), false);
     Numbers found;
-    std::size_t waiting = 0, polls = 0;
+    std::size_t count = 0, polls = 0;  // `count`: number of waiting states in `found`
     const auto expand = [&](std::uint32_t state, bool begins) {
         const timed::Moves& moves = states_.expand(state, true);
         for (std::size_t taken = 0; taken < moves.edges.size(); ++taken) {
-            if (begins && machine.process_of(moves.edges[taken]) != plc) continue;
+            const bool is_of_plc = machine.process_of(moves.edges[taken]) == plc;
+            if (begins && !is_of_plc) continue;
             bool is_possible = true;  // for a move of another process, Moves::chosen has no sets
-            for (std::size_t i = 0; i < sets.size() && machine.process_of(moves.edges[taken]) == plc; ++i)
+            for (std::size_t i = 0; i < sets.size() && is_of_plc; ++i)
                 is_possible = is_possible && (moves.chosen[taken * sets.size() + i] & sets[i]) != 0;
             if (!is_possible) continue;
             const std::uint32_t next = states_.successor(taken);
             if (seen[next]) continue;
             seen[next] = true;
             found.push_back(next);
-            if (states_.all_wait(states_.words(next))) ++waiting;
+            if (states_.all_wait(states_.words(next))) ++count;
         }
         return ++polls % search_poll_interval != 0 || !is_over(limits.deadline, limits.stop);
     };
     for (const std::uint32_t state : found_)
-        if (waiting <= most && states_.all_wait(states_.words(state)) && !expand(state, true)) return {};
-    for (std::size_t i = 0; i < found.size() && waiting <= most; ++i)
+        if (count <= most && states_.all_wait(states_.words(state)) && !expand(state, true)) return {};
+    for (std::size_t i = 0; i < found.size() && count <= most; ++i)
         if (!expand(found[i], false)) return {};
     return found;
 }

@@ -7,6 +7,7 @@
 
 #include "ir/junction.hpp"
 #include "ir/network/variables.hpp"
+#include "ir/network_clocks.hpp"
 #include "ir/network_inputs.hpp"
 #include "ir/slots.hpp"
 #include "ir/task_cycles.hpp"
@@ -58,12 +59,6 @@ private:
     static bool can_rest(const Network::Template& automaton) {
         return std::ranges::all_of(automaton.locations, [](const auto& at) { return at.invariant.empty(); }) &&
                std::ranges::none_of(automaton.edges, &Network::Edge::urgent);
-    }
-
-    static bool waits_only(const Network::Edge& edge) {
-        return std::ranges::all_of(edge.constraint, [](const Network::ClockConstraint& constraint) {
-            return constraint.relation == Op::Greater || constraint.relation == Op::GreaterEqual;
-        });
     }
 
     static bool reads_only(const Exprs& exprs, Id<Expr> term, const std::vector<Id<Network::Variable>>& variables) {
