@@ -90,8 +90,10 @@ struct AbstractableProcess {
     Id<Network::Process> process = {};
     std::vector<Id<Network::Variable>> outputs = {};  ///< outputs that the process writes, without flags
 
-    /// Reachable valuations of the outputs for arbitrary clock values: each row has one value per output. If empty,
-    /// `Chosen` is not available.
+    std::vector<Id<Network::Variable>> read_outputs = {};  ///< the outputs that other processes read
+
+    /// Superset of the reachable valuations of `read_outputs`, for arbitrary values of the clocks and of the variables
+    /// of other processes: each row has one value per variable. If empty, `Chosen` is not available.
     std::vector<std::vector<std::int64_t>> valuations = {};
     /// Processes that read the outputs. A PLC is included only if it reads an output in a guard.
     std::vector<Id<Network::Process>> readers = {};
@@ -108,7 +110,7 @@ struct AbstractableProcess {
 };
 
 /// Returns the processes that can be abstracted. `Chosen` is available for an instance if no other process writes its
-/// outputs, it has at most 32 valuations, and no value is out of range. The result is empty if a controller has a task
+/// outputs, it has at most 32 valuations, and no edge of the instance can have a model error. The result is empty if a controller has a task
 /// cycle, because the abstraction assumes that a change of an input requests a scan. Requires that `network` is
 /// expanded and has no observers.
 std::vector<AbstractableProcess> abstractable_processes(const Network& network, const InputAblations& ablations = {});

@@ -340,8 +340,8 @@ private:
         Literal result = Gates::no;
         for (const std::vector<std::int64_t>& valuation : instance.valuations) {
             Literal row = Gates::yes;
-            for (std::size_t i = 0; i < instance.outputs.size(); ++i) {
-                const auto at = values.find(instance.outputs[i]);
+            for (std::size_t i = 0; i < instance.read_outputs.size(); ++i) {
+                const auto at = values.find(instance.read_outputs[i]);
                 if (at == values.end()) continue;
                 const Type type = network_.variables[at->first].type;
                 const auto value = static_cast<std::uint64_t>(valuation[i]) -

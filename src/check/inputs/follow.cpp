@@ -178,7 +178,7 @@ private:
         if (run_.levels[i] != InputLevel::Chosen) return panel_moves_ == PanelMoves::Any || stages_[stage].moves[i];
         const AbstractableProcess& instance = run_.instances[i];
         std::vector<std::int64_t> values;
-        for (const Id<Network::Variable> output : instance.outputs)
+        for (const Id<Network::Variable> output : instance.read_outputs)
             values.push_back(layout_.variables[output.index].get(at));
         const auto row = std::ranges::find(instance.valuations, values) - instance.valuations.begin();
         return std::ranges::any_of(stages_[stage].goals[i], [&](Word goal) { return (goal >> row & 1U) == 0; });

@@ -136,7 +136,7 @@ public:
         const AbstractableProcess& process = *members_[member];
         std::erase_if(states_, [&](const std::vector<Word>& words) {
             std::vector<std::int64_t> values;
-            for (const Id<Network::Variable> output : process.outputs)
+            for (const Id<Network::Variable> output : process.read_outputs)
                 values.push_back(machine_.layout().variables[output.index].get(words.data()));
             const auto row = std::ranges::find(process.valuations, values) - process.valuations.begin();
             return (possible >> row & 1U) == 0;

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "ir/interval.hpp"
 #include "ir/junction.hpp"
 #include "ir/network/variables.hpp"
 #include "ir/network_clocks.hpp"
@@ -37,17 +38,22 @@ public:
             if (network_.variables[variable].scratch || users_.writers[variable.index].size() > 1) alone = false;
             else made.outputs.push_back(variable);
         }
-        made.can_rest = ablations_.all_can_rest || can_rest(slots.automaton);
-        made.autonomous = alone && !made.outputs.empty() && reads_itself(slots, made.outputs);
-        if (!alone || made.outputs.empty() || !sets_flags_only(slots) || !explore(slots, made)) made.valuations = {};
-        made.lively = made.lively && made.autonomous && made.can_rest;
-        made.returns = made.returns && made.autonomous && made.can_rest;
         std::set<Id<Network::Process>> readers;
-        for (const Id<Network::Variable> variable : made.outputs)
-            for (const Id<Network::Process> reader : users_.readers[variable.index])
+        for (const Id<Network::Variable> variable : made.outputs) {
+            const std::set<Id<Network::Process>>& all = users_.readers[variable.index];
+            if (all.size() > (all.contains(id) ? 1U : 0U)) made.read_outputs.push_back(variable);
+            for (const Id<Network::Process> reader : all)
                 if (reader != id && !users_.plcs.contains(reader)) readers.insert(reader);
+        }
         add_guards_of_plcs(made.outputs, readers);
         made.readers.assign(readers.begin(), readers.end());
+        made.can_rest = ablations_.all_can_rest || can_rest(slots.automaton);
+        made.autonomous = alone && !made.outputs.empty() && reads_itself(slots, made.outputs);
+        if (!alone || made.outputs.empty() || !sets_flags_only(slots) ||
+            !(explore(slots, made) || combine(slots, made)))
+            made.valuations = {};
+        made.lively = made.lively && made.autonomous && made.can_rest;
+        made.returns = made.returns && made.autonomous && made.can_rest;
         return made;
     }
 
@@ -125,19 +131,67 @@ private:
         return returning.size() == states;
     }
 
+    struct State {
+        Id<Network::Location> location = {};
+        std::vector<std::int64_t> values = {};  // one value per output
+        auto operator<=>(const State&) const = default;
+    };
+    using Columns = std::map<Id<Network::Variable>, std::size_t>;  // per output: its index in State::values
+
+    std::optional<std::int64_t> value_in(const State& state, const Columns& columns, Id<Expr> term) const {
+        return evaluate(network_.exprs, term, [&](const Expr& leaf) {
+            const Id<Network::Variable> variable{static_cast<std::uint32_t>(leaf.value)};
+            const auto found = columns.find(variable);
+            return found == columns.end() ? network_.variables[variable].initial : state.values[found->second];
+        });
+    }
+
+    /// Returns all values of the term for arbitrary values of its variables. Returns nullopt if the term can be
+    /// undefined, can be out of the range of `type`, or may have too many values.
+    std::optional<Interval> any_value(Id<Expr> term, const Type& type) const {
+        if (std::vector<bool> seen(network_.exprs.size()); may_divide(network_.exprs, term, seen)) return {};
+        const Interval values = interval(network_.exprs, term, [&](const Expr& leaf) {
+            return network_.variables[Id<Network::Variable>{static_cast<std::uint32_t>(leaf.value)}].type;
+        });
+        const bool is_in_range = values.low >= type.low && values.high <= type.high;
+        if (is_clipped(values) || !is_in_range || values.high - values.low >= std::int64_t{most_valuations}) return {};
+        return values;
+    }
+
+    /// Executes the assignments of the edge from number `first` on, and appends the results to `successors`. A value
+    /// that depends on another process may be any value of its interval. Returns false if a value may be out of range,
+    /// undefined, or one of too many values.
+    bool assign(const Network::Edge& edge, std::size_t first, State state, const Columns& columns,
+                const std::vector<Id<Network::Variable>>& outputs, std::vector<State>& successors) const {
+        for (std::size_t i = first; i < edge.assignments.size(); ++i) {
+            const Network::Assignment& assignment = edge.assignments[i];
+            const Id<Network::Variable> target = variable_of(network_.exprs, assignment.target);
+            if (is_flag(target)) continue;
+            const Type& type = network_.variables[target].type;
+            std::int64_t& assigned = state.values[columns.at(target)];
+            if (ablations_.own_guards_only || reads_only(network_.exprs, assignment.value, outputs)) {
+                const std::optional<std::int64_t> result = value_in(state, columns, assignment.value);
+                if (!result || *result < type.low || *result > type.high) return false;
+                assigned = *result;
+                continue;
+            }
+            const std::optional<Interval> values = any_value(assignment.value, type);
+            if (!values) return false;
+            for (assigned = values->low; assigned <= values->high; ++assigned)
+                if (!assign(edge, i + 1, state, columns, outputs, successors)) return false;
+            return true;
+        }
+        successors.push_back(std::move(state));
+        return true;
+    }
+
     /// Enumerates the reachable combinations of locations and outputs for arbitrary values of other variables and
-    /// clocks. Returns false if there are too many combinations, or if a value is out of range or depends on another
-    /// process.
+    /// clocks. Returns false if there are too many combinations, or if a value may be out of range or undefined.
     bool explore(const Slots& slots, AbstractableProcess& made) const {
-        struct State {
-            Id<Network::Location> location = {};
-            std::vector<std::int64_t> values = {};
-            auto operator<=>(const State&) const = default;
-        };
         State initial{slots.process.initial, {}};
-        std::map<Id<Network::Variable>, std::size_t> column;
+        Columns columns;
         for (const Id<Network::Variable> variable : made.outputs) {
-            column.emplace(variable, initial.values.size());
+            columns.emplace(variable, initial.values.size());
             initial.values.push_back(network_.variables[variable].initial);
         }
         std::set<State> seen{initial};
@@ -150,47 +204,70 @@ private:
             bool moves = false;
             for (const Network::Edge& edge : slots.automaton.edges) {
                 if (edge.from != now.location) continue;
-                State next{edge.to, now.values};
-                const auto value = [&](Id<Expr> term) {
-                    return evaluate(network_.exprs, term, [&](const Expr& leaf) {
-                        const Id<Network::Variable> variable{static_cast<std::uint32_t>(leaf.value)};
-                        const auto found = column.find(variable);
-                        return found == column.end() ? network_.variables[variable].initial
-                                                     : next.values[found->second];
-                    });
-                };
                 const auto own = own_conjuncts(edge.guard, made.outputs);
                 if (!own) return false;
                 bool enabled = true;
                 for (const Id<Expr> conjunct : *own) {
-                    const std::optional<std::int64_t> holds = value(conjunct);
+                    const std::optional<std::int64_t> holds = value_in(now, columns, conjunct);
                     if (!holds) return false;
                     enabled = enabled && *holds != 0;
                 }
                 if (!enabled) continue;
                 moves = moves || waits_only(edge);
-                for (const Network::Assignment& assignment : edge.assignments) {
-                    const Id<Network::Variable> target = variable_of(network_.exprs, assignment.target);
-                    if (is_flag(target)) continue;
-                    if (!reads_only(network_.exprs, assignment.value, made.outputs)) return false;
-                    const std::optional<std::int64_t> result = value(assignment.value);
-                    const Type& type = network_.variables[target].type;
-                    if (!result || *result < type.low || *result > type.high) return false;
-                    next.values[column.at(target)] = *result;
+                std::vector<State> successors;
+                if (!assign(edge, 0, {edge.to, now.values}, columns, made.outputs, successors)) return false;
+                for (State& next : successors) {
+                    if (waits_only(edge)) waiting.emplace_back(now, next);
+                    if (!seen.insert(next).second) continue;
+                    if (seen.size() > most_states) return false;
+                    open.push_back(std::move(next));
                 }
-                if (waits_only(edge)) waiting.emplace_back(now, next);
-                if (!seen.insert(next).second) continue;
-                if (seen.size() > most_states) return false;
-                open.push_back(std::move(next));
             }
             is_lively = is_lively && moves;
         }
         made.lively = is_lively;  // known only after all states have been explored
         made.returns = all_return(waiting, initial, seen.size());
         std::set<std::vector<std::int64_t>> valuations;
-        for (const State& state : seen) valuations.insert(state.values);
+        for (const State& state : seen) {
+            std::vector<std::int64_t> row;
+            for (const Id<Network::Variable> variable : made.read_outputs)
+                row.push_back(state.values[columns.at(variable)]);
+            valuations.insert(std::move(row));
+        }
         made.valuations.assign(valuations.begin(), valuations.end());
         return made.valuations.size() <= most_valuations;
+    }
+
+    /// Combines all values that the edges of an instance can assign to its outputs, for arbitrary values of all
+    /// variables. Returns false if there are too many combinations, or if an edge may have a model error.
+    bool combine(const Slots& slots, AbstractableProcess& made) const {
+        std::map<Id<Network::Variable>, std::set<std::int64_t>> values;
+        for (const Id<Network::Variable> variable : made.outputs)
+            values[variable].insert(network_.variables[variable].initial);
+        for (const Network::Edge& edge : slots.automaton.edges) {
+            if (std::vector<bool> seen(network_.exprs.size()); may_divide(network_.exprs, edge.guard, seen))
+                return false;
+            for (const Network::Assignment& assignment : edge.assignments) {
+                const Id<Network::Variable> target = variable_of(network_.exprs, assignment.target);
+                if (is_flag(target)) continue;
+                const std::optional<Interval> assigned = any_value(assignment.value, network_.variables[target].type);
+                if (!assigned) return false;
+                for (std::int64_t value = assigned->low; value <= assigned->high; ++value) values[target].insert(value);
+            }
+        }
+        made.lively = made.returns = false;
+        made.valuations = {{}};
+        for (const Id<Network::Variable> variable : made.read_outputs) {
+            std::vector<std::vector<std::int64_t>> longer;
+            for (const std::vector<std::int64_t>& row : made.valuations)
+                for (const std::int64_t value : values[variable]) {
+                    longer.push_back(row);
+                    longer.back().push_back(value);
+                }
+            if (longer.size() > most_valuations) return false;
+            made.valuations = std::move(longer);
+        }
+        return true;
     }
 
     const Network& network_;

@@ -99,7 +99,7 @@ private:
             each_read(controller.process, edge, [&](std::size_t instance) {
                 if (!read.insert(instance).second) return;
                 made_.choices.push_back(
-                    {instance, controller.process, instances_[instance].outputs, valuations(instance)});
+                    {instance, controller.process, instances_[instance].read_outputs, valuations(instance)});
             });
         for (std::size_t choice = first; choice < made_.choices.size(); ++choice)
             keep(controller, made_.choices[choice]);
@@ -110,7 +110,7 @@ private:
     std::vector<std::vector<std::int64_t>> valuations(std::size_t instance) const {
         if (!ablations_.initial_values) return instances_[instance].valuations;
         std::vector<std::int64_t> initial;
-        for (const Id<Network::Variable> variable : instances_[instance].outputs)
+        for (const Id<Network::Variable> variable : instances_[instance].read_outputs)
             initial.push_back(made_.network.variables[variable].initial);
         return {initial};
     }

@@ -328,6 +328,50 @@ TEST(InputAbstraction, StoresAnInstanceThatMayLeaveItsRange) {
     EXPECT_EQ(valuations("V < 2 && 4 / V > 1"), 0U) << "division by zero";
 }
 
+/// Returns a loop with an instance that copies an output of the chart to an input. The output has the range 0..`high`.
+std::string copier(const std::string& high, const std::string& property) {
+    return "component copier(input P: int; output V: int 0..2 = 0) { initial location any; urgent any -> any when P != "
+           "V do V := P; }\n" +
+           loop("input N: int 0..2; output Q: int 0.." + high + ";",
+                "initial step 0; step 1 { Q := 2 on activation; } step 2; transition t0: 0 -> 1 when 1s/X0; "
+                "transition t1: 1 -> 2 when N == 2;",
+                "plant Copy = copier(P = Q, V = N);", property);
+}
+
+TEST(InputAbstraction, ChoosesValuesThatDependOnOtherProcesses) {
+    const auto valuations = [](const std::string& high) {
+        return named(expand(read_loop(copier(high, "never X2")).network), "Copy").valuations;
+    };
+    EXPECT_EQ(valuations("2"), (std::vector<std::vector<std::int64_t>>{{0}, {1}, {2}}));
+    EXPECT_TRUE(valuations("3").empty()) << "the instance may leave its range";
+    EXPECT_EQ(decided(copier("2", "never X2")).outcome, Outcome::Violated);
+    EXPECT_EQ(decided(copier("2", "never X2"), {.explored = 0}, {.own_guards_only = true}).outcome, Outcome::Holds)
+        << "without the premise that all values are possible, the verdict is wrong";
+}
+
+TEST(InputAbstraction, ChoosesOnlyOutputsThatOtherProcessesRead) {
+    // The variables of the belt have more than 4096 valuations.
+    const auto belt = [](const std::string& last) {
+        return expand(read_loop("component belt(input RUN; output AT_END; output LEFT: int 0..9 = 0) {\n"
+                                "variable A: int 0..9 = 0; variable B: int 0..9 = 0; variable C: int 0..9 = 0;\n"
+                                "clock t; initial location any;\n"
+                                "timed any -> any when RUN && t >= 1s do LEFT := C, C := B, B := A, A := " +
+                                last +
+                                ", AT_END := C > 4, t := 0; }\n"
+                                "grafcet c { input E; output Q; initial step 0 { Q; } step 1; transition t0: 0 -> 1 "
+                                "when E; }\n"
+                                "closed_loop l { controller c; plant Belt = belt(RUN = Q, AT_END = E, LEFT = LEFT); "
+                                "property p: never LEFT == 9; }\n")
+                          .network);
+    };
+    const AbstractableProcess found = named(belt("(A + 7) % 10"), "Belt");
+    EXPECT_EQ(found.read_outputs.size(), 1U) << "only the PLC reads an output";
+    EXPECT_EQ(found.outputs.size(), 5U) << "the properties of the loop may read each of them";
+    EXPECT_EQ(found.valuations, (std::vector<std::vector<std::int64_t>>{{0}, {1}}));
+    EXPECT_TRUE(named(belt("A + 7"), "Belt").valuations.empty()) << "the instance may leave its range";
+    EXPECT_TRUE(named(belt("9 / (A + 1)"), "Belt").valuations.empty()) << "a division may be undefined";
+}
+
 /// Returns a loop with a cylinder that a button starts, and another cylinder whose order ends after 3 s.
 std::string two_followers(const std::string& property) {
     return follower + loop("input A, D, E; output Q, R;",
