@@ -83,9 +83,10 @@ void add_remedies(const PageContent& content, Html& html) {
     const std::vector<std::string> lines = remedies_text(content.trials, false);
     if (lines.empty()) return;
     html.open("div", {{"class", "remedies"}}).open("p").prose("Options of `check`: " + lines.front()).close("p");
-    html.open("ul");
+    if (lines.size() > 1) html.open("ul");
     for (std::size_t i = 1; i < lines.size(); ++i) html.open("li").prose(lines[i]).close("li");
-    html.close("ul").close("div");
+    if (lines.size() > 1) html.close("ul");
+    html.close("div");
 }
 
 void add_run_as_text(const Playable& playable, Html& html) {

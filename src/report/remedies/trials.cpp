@@ -34,9 +34,12 @@ std::vector<std::string> remedies_text(const std::vector<Trial>& trials, bool du
     };
     double seconds = 0;
     for (const Trial& trial : trials) seconds += trial.seconds;
-    std::vector<std::string> lines = {fmt::format(
-        "{} on this model{}:", trials.front().decided.empty() ? "no remedy was found in trials" : "remedies, tried",
-        duration(" for ", seconds, ""))};
+    if (trials.front().decided.empty())
+        return {
+            fmt::format("no remedy was found: {} trial{} with other options{} decided no property; see "
+                        "docs/how-to/large-models.md",
+                        trials.size(), trials.size() == 1 ? "" : "s", duration(" for ", seconds, ""))};
+    std::vector<std::string> lines = {fmt::format("remedies, tried on this model{}:", duration(" for ", seconds, ""))};
     std::string without;
     for (const Trial& trial : trials) {
         std::string verdicts;

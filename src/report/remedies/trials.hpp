@@ -19,8 +19,8 @@ struct Trial {
 };
 
 /// Returns the trials as lines: a heading, a line for each remedy that decided a property, and one line for all other
-/// remedies. The result is empty if there are no trials. If `durations` is true, the lines contain the durations of the
-/// trials.
+/// remedies. If no trial decided a property, the result is one line. If there are no trials, the result is empty. If
+/// `durations` is true, the lines contain the durations of the trials.
 std::vector<std::string> remedies_text(const std::vector<Trial>& trials, bool durations = true);
 
 void print_remedies(const std::vector<Trial>& trials, std::ostream& out);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "report/remedies/trials.hpp"
 #include "run_program.hpp"
 
 namespace grafverif::app {
@@ -121,12 +122,17 @@ TEST(Remedies, OfTheUntimedModelAreValidForTheTimedLoop) {
     EXPECT_TRUE(seen) << document["remedies"];
 }
 
-TEST(Remedies, ThatFailAreListed) {
-    const Folder folder;
-    const std::string file = folder.write("gate.grafcet", gate + "property both: never L && R; }\n");
-    const Result result = grafverif({"check", file, "--max-states", "1", "--grain", "atomic", "--property", "both",
-                                     "--untimed", "--plant", "automata", "--timeout", "1ms"});
-    EXPECT_EQ(result.out.find("remedies, tried"), std::string::npos) << result.out;
+TEST(Remedies, AreNotListedIfNoTrialDecidedAProperty) {
+    const std::vector<Trial> trials = {{"--grain atomic --property both", {}, 0.25},
+                                       {"--untimed --plant automata --property both", {}, 0.5}};
+    EXPECT_EQ(
+        remedies_text(trials),
+        std::vector<std::string>{"no remedy was found: 2 trials with other options for 0.8 s decided no property; "
+                                 "see docs/how-to/large-models.md"});
+    EXPECT_EQ(
+        remedies_text({trials.front()}, false),
+        std::vector<std::string>{
+            "no remedy was found: 1 trial with other options decided no property; see docs/how-to/large-models.md"});
 }
 
 TEST(Remedies, AreAbsentIfNoLimitEndedTheCheck) {
