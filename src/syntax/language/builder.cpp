@@ -185,12 +185,6 @@ Id<Expr> Builder::number(Name digits) {
     return id;
 }
 
-Id<Expr> Builder::duration(std::int64_t milliseconds, Span where) {
-    const Id<Expr> id = constant(Op::Duration, where);
-    file_->exprs[id].value = milliseconds;
-    return id;
-}
-
 /// Returns a node with the word of `name`. The operands of the node are `owner`, if valid, and the
 /// indices of the name.
 Id<Expr> Builder::named_node(Op op, Id<Expr> owner, Name name, Span where) {

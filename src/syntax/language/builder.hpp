@@ -61,7 +61,7 @@ public:
 
     Id<tree::Expr> constant(tree::Op op, Span where);
     Id<tree::Expr> number(tree::Name digits);
-    Id<tree::Expr> duration(std::int64_t milliseconds, Span where);
+    Id<tree::Expr> duration(const tree::Expr& leaf) { return file_->exprs.add(leaf); }
     Id<tree::Expr> name(tree::Name name);
     /// Returns `name` with one more index.
     tree::Name indexed(tree::Name name, Id<tree::Expr> index);

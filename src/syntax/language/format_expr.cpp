@@ -46,6 +46,20 @@ int precedence(tree::Op op) {
     unreachable();
 }
 
+/// Returns a duration in the unit of the source, which has a finite decimal form: `5min`, `1.5s`.
+std::string written_duration(std::int64_t milliseconds, std::int64_t unit_ms) {
+    if (unit_ms == 0) return duration_text(milliseconds);
+    const char* const unit = unit_ms == 60'000 ? "min" : unit_ms == 1000 ? "s" : "ms";
+    std::string text = std::to_string(milliseconds / unit_ms);
+    std::int64_t rest = milliseconds % unit_ms;
+    if (rest != 0) text += '.';
+    for (; rest != 0; rest %= unit_ms) {
+        unit_ms /= 10;
+        text += std::to_string(rest / unit_ms);
+    }
+    return text + unit;
+}
+
 class ExprPrinter {
 public:
     explicit ExprPrinter(const tree::File& file) : file_(&file) {}
@@ -56,7 +70,7 @@ public:
         case tree::Op::False: text += "false"; return;
         case tree::Op::True: text += "true"; return;
         case tree::Op::Number: text += std::to_string(node.value); return;
-        case tree::Op::Duration: text += duration_text(node.value); return;
+        case tree::Op::Duration: text += written_duration(node.value, node.unit_ms); return;
         case tree::Op::Name: print(node.word, node.first); return;
         case tree::Op::Member:
         case tree::Op::In:

@@ -41,7 +41,7 @@ Measure measure(std::string_view text) {
     return parts;
 }
 
-std::optional<std::int64_t> milliseconds_in(std::string_view unit) {
+std::optional<std::uint16_t> milliseconds_in(std::string_view unit) {
     if (unit == "ms") return 1;
     if (unit == "s") return 1000;
     if (unit == "min") return 60'000;
@@ -197,11 +197,16 @@ Token Lexer::string() {
 Token Lexer::duration() {
     begin_element();
     const Measure parts = measure(match_);
-    const auto factor = milliseconds_in(parts.unit);
-    if (!factor) return broken(messages::unknown_unit(here_, match_));
-    const auto milliseconds = scaled(parts.digits, parts.decimals, *factor);
+    const auto unit = milliseconds_in(parts.unit);
+    if (!unit) return broken(messages::unknown_unit(here_, match_));
+    const auto milliseconds = scaled(parts.digits, parts.decimals, *unit);
     if (!milliseconds) report(messages::bad_duration(here_, match_));
-    return {Parser::token::DURATION, milliseconds.value_or(1000), here_};
+    Expr leaf;
+    leaf.op = Op::Duration;
+    leaf.value = milliseconds.value_or(1000);
+    leaf.unit_ms = milliseconds ? *unit : std::uint16_t{0};
+    leaf.where = here_;
+    return {Parser::token::DURATION, leaf, here_};
 }
 
 Token Lexer::decimal_without_unit() {

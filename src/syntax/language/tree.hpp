@@ -74,6 +74,7 @@ struct Expr {
     std::uint16_t depth = 1;
     Id<Word> word = {};                         ///< word of Name, Member, In
     std::int64_t value = 0;                     ///< value of Number; of Duration in milliseconds
+    std::uint16_t unit_ms = 0;                  ///< unit of a Duration in the source text; 0 if there is no source text
     Id<Expr> first = {}, last = {}, next = {};  ///< first and last operand, next sibling
     Span where = {};
 };

@@ -70,9 +70,11 @@ TEST(FormatCondition, UsesOneSpellingAndClarifyingParentheses) {
         {"- -a", "-(-a)"},
         {"↑a && ↓(b||c)", "rise(a) && fall(b || c)"},
         {"3s / X2", "3s/X2"},
-        {"3s/X2/2000ms", "3s/X2/2s"},
+        {"3s/X2/2000ms", "3s/X2/2000ms"},
+        {"5min/X2/1.50s", "5min/X2/1.5s"},
+        {"0.0001min/X2 || 060s/X2", "0.0001min/X2 || 60s/X2"},
         {"(3s/X2)/2s", "(3s/X2)/2s"},
-        {"1.5s/(a && b)", "1500ms/(a && b)"},
+        {"1.5s/(a && b)", "1.5s/(a && b)"},
         {"N / 2 > 1", "N / 2 > 1"},
         {"G2 . X2", "G2.X2"},
     };
@@ -137,9 +139,9 @@ TEST(Format, ArrangesDeclarations) {
         "}\n"
         "\n"
         "closed_loop cell {\n"
-        "    controller press every 1s..2s with every_cycle;\n"
+        "    controller press every 1000ms..2s with every_cycle;\n"
         "    grain atomic;\n"
-        "    time unit 1s;\n"
+        "    time unit 1000ms;\n"
         "    plant Arm = arm(A = START, X = POS) initially in;\n"
         "    environment E = free(OUT = a);\n"
         "    property P \"says\" expected violated: a leads to b at stable;\n"

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "syntax/language/format.hpp"
@@ -93,7 +94,7 @@ TEST(ParseCondition, BindsOperatorsAsInTheLanguage) {
         {"rise(a) && ↓b", "(and (rise a) (fall b))"},
         {"↑(a || b)", "(rise (or a b))"},
         {"cell.G2.X2 || Arm.10", "(or cell.G2.X2 Arm.10)"},
-        {"2min + 1.5s + 250ms", "(+ (+ 120s 1500ms) 250ms)"},
+        {"2min + 1.5s + 250ms", "(+ (+ 2min 1.5s) 250ms)"},
         {"!!a", "(not (not a))"},
         {"a /* between */ && // behind\n b", "(and a b)"},
     };
@@ -116,6 +117,18 @@ TEST(ParseCondition, RejectsInvalidConditions) {
     for (const Case& example : cases) {
         SCOPED_TRACE(example.in);
         EXPECT_EQ(errors_of(chart_with(example.in)), example.out);
+    }
+}
+
+TEST(ParseCondition, ConvertsDurationsToMilliseconds) {
+    for (const auto& [text, milliseconds] :
+         {std::pair{"2min", 120'000}, {"1.5s", 1500}, {"0.25min", 15'000}, {"3s", 3000}, {"250ms", 250}}) {
+        SCOPED_TRACE(text);
+        const Sources sources = one(chart_with(text));
+        Diagnostics diagnostics;
+        const tree::File file = parse_file(Id<Source>{0}, sources, diagnostics);
+        ASSERT_FALSE(file.broken) << errors(diagnostics, sources);
+        EXPECT_EQ(file.exprs[only_condition(file)].value, milliseconds);
     }
 }
 
