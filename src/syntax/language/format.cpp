@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <iosfwd>
 #include <limits>
+#include <optional>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -191,8 +192,10 @@ private:
         for (const std::string& text : texts) page_.line(text);
     }
 
+    /// Prints a block. The comments that begin before `head_limit` are placed after the first line; by default, these
+    /// are the comments before the first element.
     template <class Items>
-    void block(const std::string& head, const Items& items, Span where) {
+    void block(const std::string& head, const Items& items, Span where, std::optional<std::uint32_t> head_limit = {}) {
         std::istringstream heads(head);
         std::string line, next;
         std::getline(heads, line);
@@ -202,12 +205,14 @@ private:
             return;
         }
         page_.line(line + " {");
-        page_.trailing_comments(items.empty() ? where.end : where_of(items.front()).begin);
+        page_.trailing_comments(head_limit ? *head_limit : items.empty() ? where.end : where_of(items.front()).begin);
         page_.indent();
         for (std::size_t i = 0; i < items.size(); ++i) {
             page_.before(where_of(items[i]).begin);
+            const std::uint32_t limit = i + 1 < items.size() ? where_of(items[i + 1]).begin : where.end;
+            limit_ = limit;
             std::visit([this](const auto& written) { this->item(written); }, items[i]);
-            page_.trailing_comments(i + 1 < items.size() ? where_of(items[i + 1]).begin : where.end);
+            page_.trailing_comments(limit);
         }
         page_.remaining(where.end);
         page_.outdent();
@@ -242,12 +247,15 @@ private:
         if (!commented) {
             const auto line = step_in_one_line(file_, step, page_.column());
             if (line) return page_.line(*line);
+            // Without comments inside, a comment after the step applies to the complete step.
+            return block(head, step.actions, step.where, limit_);
         }
         block(head, step.actions, step.where);
     }
 
     const tree::File& file_;
     Page page_;
+    std::uint32_t limit_ = 0;  ///< begin of the element after the current element of a block, or end of the block
 };
 
 }  // namespace

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // format: prints a syntax tree in the canonical layout (command `fmt`).
 //
-// Layout: one declaration per line, blocks indented by four spaces, one spelling of each operator. Brackets appear only
-// where precedence requires them, or where `&&` and `||` are mixed. Comments are kept. A comment on a separate line
-// stays before the following element, and an end-of-line comment stays on its line. A comment inside a declaration is
-// moved before the declaration. Single blank lines are kept; top-level declarations are separated by blank lines. The
-// function is idempotent: format(parse(format(t))) == format(t).
+// Layout: one declaration per line, blocks indented by four spaces, one spelling of each operator. Durations keep the
+// unit of the source. Brackets appear only where precedence requires them, or where `&&` and `||` are mixed. Comments
+// are kept. A comment on a separate line stays before the following element, and an end-of-line comment stays on its
+// line. If a step is printed on several lines, a comment after the step is placed after its first line. A comment
+// inside a declaration is moved before the declaration. Single blank lines are kept; top-level declarations are
+// separated by blank lines. The function is idempotent: format(parse(format(t))) == format(t).
 #pragma once
 
 #include <iosfwd>

@@ -256,6 +256,43 @@ TEST(Format, KeepsCommentsAndSingleBlankLines) {
               "// last words\n");
 }
 
+TEST(Format, PlacesACommentAfterAStepOnItsFirstLine) {
+    EXPECT_EQ(formatted_text("grafcet a {\n"
+                             "    step 1 { A; B; C if d; }  // soak\n"
+                             "    step 2 { A; }  // heat\n"
+                             "    step 3 { A; B; C if d; } step 4;  // four\n"
+                             "    step 5 { A; B; C if d; } /* two\n"
+                             "lines */\n"
+                             "    step 6 { A; B; /* the heater */ C if d; }  // six\n"
+                             "}\n"),
+              "grafcet a {\n"
+              "    step 1 {  // soak\n"
+              "        A;\n"
+              "        B;\n"
+              "        C if d;\n"
+              "    }\n"
+              "    step 2 { A; }  // heat\n"
+              "    step 3 {\n"
+              "        A;\n"
+              "        B;\n"
+              "        C if d;\n"
+              "    }\n"
+              "    step 4;  // four\n"
+              "    step 5 {\n"
+              "        A;\n"
+              "        B;\n"
+              "        C if d;\n"
+              "    }\n"
+              "    /* two\n"
+              "lines */\n"
+              "    step 6 {\n"
+              "        A;\n"
+              "        B;  /* the heater */\n"
+              "        C if d;\n"
+              "    }  // six\n"
+              "}\n");
+}
+
 TEST(Format, BreaksLinesThatAreTooLong) {
     const std::string text = formatted_text(
         "component c(input SOME_RATHER_LONG_NAME_A, SOME_RATHER_LONG_NAME_B; output SOME_RATHER_LONG_NAME_C, D; E = 1, "
@@ -301,6 +338,7 @@ TEST(Format, ChangesNothingTheSecondTime) {
         "closed_loop l { // one\n // two\n plant p = c( // three\n a = b, // four\n c = d); // five\n}",
         "grafcet a {\r\n    // windows\r\n    input A; // lines\r\n\r\n    input B;\r\n}\r\n",
         "grafcet a { partial p { // in p\n step 1; } // after p\n }",
+        "grafcet a { step 1 { A; B; C if d; } /* x */ // y\n step 2 { A; B; C if d; } /* z\n */ // end\n }",
     };
     for (const std::string& text : texts) {
         SCOPED_TRACE(text);
