@@ -106,8 +106,8 @@ public:
     const std::vector<Bdd>& conflicts() const { return conflicts_; }
     /// Returns the set of points that differ from a point in `points` at most in timer outputs.
     Bdd without_ends(const Bdd& points) const;
-    /// Returns the points whose evolution changes the variable. A counter that exceeds its represented values is
-    /// assumed to change.
+    /// Returns the points from which an evolution changes the variable. A counter that exceeds its represented values
+    /// is assumed to change.
     Bdd changes(Id<Equations::Variable> variable) const;
     /// True if the points of this machine assign a value to the variable.
     bool matters(Id<Equations::Variable> variable) const { return matters_[variable.index]; }

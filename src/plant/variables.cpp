@@ -15,8 +15,8 @@ namespace {
 
 using Variable = Network::Variable;
 
-/// Evaluates expressions of one instance at power-on. The value of a constant is its argument; the value of a variable
-/// is the initial value that was last assigned to the variable.
+/// Evaluates expressions of one instance at power-on. The value of a constant is the argument of the instance
+/// for this constant; the value of a variable is the initial value that was last assigned to the variable.
 class PowerOn {
 public:
     PowerOn(const Component& component, const ClosedLoop::Instance& instance, PlantVariables& plant,

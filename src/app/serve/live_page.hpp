@@ -28,8 +28,8 @@ public:
     void run(const std::atomic<bool>& stop);
     /// Returns the path of the recovery file if the page has changes that are not saved; otherwise an empty string.
     std::string unsaved() const;
-    /// Returns the reason why the recovery file does not contain the changes that are not saved; otherwise an empty
-    /// string.
+    /// If the recovery file does not contain all changes that are not saved, returns the reason; otherwise, returns an
+    /// empty string.
     std::string loss() const;
 
 private:

@@ -74,8 +74,8 @@ std::vector<Id<Expr>> SubsystemSearches::share(const Property& property, std::ui
     return found;
 }
 
-/// Returns the search of the parts `chosen`, which decides all queries about exactly these parts.
-/// The first call for these parts performs the search.
+/// Returns the result of a search of the system that consists of the parts `chosen`. The search decides all requested
+/// properties that read exactly these parts. The first call for these parts performs the search.
 SubsystemResult& SubsystemSearches::search(const PartList& chosen) {
     const auto [known, fresh] = searches_.try_emplace(chosen);
     SubsystemResult& made = known->second;

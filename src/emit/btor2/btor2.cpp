@@ -204,7 +204,7 @@ private:
                 either(left.undefined, right.undefined)};
     }
 
-    /// Returns the word with the condition that a result outside 64 bits is undefined.
+    /// Reduces the word to 64 bits. The result is undefined if the value of the word does not fit in 64 bits.
     Word cut(Word word) {
         constexpr std::uint32_t most = 64;
         if (word.width <= most) return word;

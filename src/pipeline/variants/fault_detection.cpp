@@ -154,7 +154,8 @@ std::vector<std::size_t> FaultDetection::candidates(const std::vector<std::uint3
     for (std::size_t k = 0; k < literals; ++k)
         for (std::size_t l = k; l < literals; ++l) {
             if (!never(k, l) || with_fault[k * literals + l] == 0) continue;
-            // A literal that is never true without faults reveals the fault alone, so no pairs with it are needed.
+            // A literal that is never true without faults is sufficient to reveal the fault, so no pair with it is
+            // needed.
             if (k == l || (!never(k, k) && !never(l, l))) found.push_back(k * literals + l);
         }
     std::ranges::stable_sort(found, std::greater<>(), [&](std::size_t pair) { return with_fault[pair]; });

@@ -47,8 +47,8 @@ void Reader::record_unit(const st::Unit& from) const {
                         "ACTION " + text(action.name.word));
 }
 
-/// Records the values of an enumeration. The owner of a value is the type `name` or, for a type without a name, the
-/// unit of the variable.
+/// Records the values of an enumeration. Their owner is the declaration of the type `name` or, if the type has no name,
+/// of the program unit that contains the variable.
 void Reader::record_values(std::string_view name, const st::Type& type) const {
     if (!record_.is_recording()) return;
     const auto declared = type_declarations_.find(file_->intern(name).index);

@@ -20,7 +20,7 @@
 
 namespace grafverif {
 
-/// Prints the result without the differences of the texts.
+/// Prints the result without the differences between the texts of the charts.
 void print_result(const Comparison& comparison, Colour colour, std::ostream& out);
 void print_comparison(const Comparison& comparison, Colour colour, std::ostream& out);
 std::string comparison_json(const Comparison& comparison);

@@ -128,7 +128,8 @@ private:
         check_.problem_time_ = time_of_instant(zone);
     }
 
-    /// Assigns the changes of the outputs in the instant to recorded changes, from signal `k` on.
+    /// Matches the changes of the outputs at the instant `now_` with recorded changes, starting with signal `k`. Calls
+    /// `finish` for each possible matching.
     void write_outputs(std::size_t k, Hypothesis next) {
         if (check_.limit_ != Limit::None) return;
         if (k == check_.signals_.size()) return finish(std::move(next));

@@ -105,9 +105,9 @@ public:
             add(file.words[word].text, "name", word.index < first_places.size() ? first_places[word.index] : Span{});
     }
 
-    /// Returns a keyword, step variable or name that differs from `name` but looks the same. An
-    /// ASCII text is preferred; without an ASCII text, the result is the first of these texts that
-    /// precedes `name`, or null.
+    /// Returns a keyword, step variable or name that differs from `name` but looks the same, or null. If one of these
+    /// texts contains only ASCII characters, returns this text; otherwise, returns the first text that was added before
+    /// `name`.
     const Lookalike* like(std::string_view name) const {
         const auto found = by_skeleton_.find(skeleton(name));
         if (found == by_skeleton_.end()) return nullptr;
