@@ -210,7 +210,7 @@ std::string qualifier(const StepName& step) { return step.partial.empty() ? "" :
 std::optional<Equations> derive(const Chart& chart, Diagnostics& diagnostics) {
     if (chart.program) {
         diagnostics.add(messages::only_for_charts(
-            chart.origin, chart.name, "this operation requires the steps of a chart",
+            chart.origin, chart.name, "this operation requires a chart with steps",
             "check the program in a closed loop, or pass its file and `--properties` to `check`"));
         return {};
     }

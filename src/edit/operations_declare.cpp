@@ -58,7 +58,8 @@ void Planner::drive(const Declared& input) {
                 is_controlled = true;
                 if (controller->instance.valid()) {
                     obstacle_ = fmt::format(
-                        "`{}` is an instance of the chart; declare the input in the text, and pass it to the instance",
+                        "the instance `{}` of the chart requires an argument for the input; declare the input and "
+                        "pass the argument in the text of the file",
                         file_.text(controller->instance));
                     return;
                 }

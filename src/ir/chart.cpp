@@ -147,13 +147,14 @@ void check_transitions(const Chart& chart, ChartFaults& faults) {
                              "transition " + transition.name + " links a step that does not exist");
                 if (chart.steps.contains(step))
                     faults.check(chart.steps[step].chart == transition.chart,
-                                 "transition " + transition.name + " links a step of another partial chart");
+                                 "transition " + transition.name +
+                                     " has a preceding or succeeding step in another partial chart");
             }
         };
         check_side(transition.from);
         check_side(transition.to);
         faults.check(!transition.from.empty() || !transition.to.empty(),
-                     "transition " + transition.name + " links no step");
+                     "transition " + transition.name + " has neither a preceding nor a succeeding step");
         faults.condition(transition.condition, "transition " + transition.name);
     }
     for (const auto& time : chart.time_conditions) {

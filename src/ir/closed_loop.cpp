@@ -181,7 +181,7 @@ void check_observers(ClosedLoopChecker& checker) {
         for (const ClosedLoop::ObserverEdge& edge : observer.edges)
             checker.check(observer.locations.contains(edge.from) && observer.locations.contains(edge.to) &&
                               loop.exprs.contains(edge.guard),
-                          "an edge of " + observer.name + " is incomplete");
+                          "an edge of " + observer.name + " has an invalid location or guard");
     }
     for (const ClosedLoop::Constraint& constraint : loop.constraints)
         checker.check(loop.exprs.contains(constraint.condition), constraint.name + " does not exist");

@@ -40,8 +40,8 @@ constexpr std::array kinds = {
     FindingKind{"condition-always-true", Level::Warning,
                 "A condition of a branch or loop of a PLC program is true in each evaluation."},
     FindingKind{"assignment-overwritten", Level::Warning,
-                "A PLC program assigns an output, and always assigns the output again in the same scan before reading "
-                "it."},
+                "An assignment to an output in a PLC program has no effect, because the program always assigns the "
+                "output again in the same scan before reading it."},
     FindingKind{
         "block-never-called", Level::Warning,
         "In a PLC program, a function block instance, a function, an action or a second program is never called."},
@@ -106,7 +106,8 @@ std::vector<std::string> verify(const Analysis& analysis) {
         if (std::ranges::find(kinds, question.code, &FindingKind::code) == kinds.end())
             faults.push_back("an open question has the unknown code `" + question.code + "`");
     if (analysis.open.empty() != analysis.obstacle.empty())
-        faults.push_back("there are open questions without a reason, or a reason without open questions");
+        faults.push_back(analysis.open.empty() ? "there is a reason for open questions, but no open question"
+                                               : "there are open questions, but no reason for them");
     return faults;
 }
 

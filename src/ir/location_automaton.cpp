@@ -76,7 +76,8 @@ struct LocationAutomatonCheck {
             if (id != automaton.init && !known.emplace(location.situation, location.values).second)
                 fault("two locations are identical");
             for (const LocationAutomaton::Emission& emission : location.emissions) {
-                if (!automaton.outputs.contains(emission.output)) fault("an emission has no output");
+                if (!automaton.outputs.contains(emission.output))
+                    fault("an emission refers to an output that does not exist");
                 term(emission.value, "an emission");
                 if (automaton.exprs.contains(emission.value) && is_false(automaton.exprs, emission.value))
                     fault("the condition of an emission is never true");

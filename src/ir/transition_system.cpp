@@ -243,7 +243,8 @@ void check_names(const System& system, Sorts& sorts, Faults& faults) {
         for (const System::Named& named : list) known(named.variable, where + ": `" + named.name + "`");
     };
     for (const Id<System::Instance> observer : system.observers)
-        if (!system.instances.contains(observer)) faults.push_back("an observer is not an instance");
+        if (!system.instances.contains(observer))
+            faults.push_back("an observer refers to an instance that does not exist");
     const auto condition = [&](Id<Expr> term, const std::string& where) {
         if (term.valid()) sorts.check(term, Sort::Boolean, where, faults);
     };

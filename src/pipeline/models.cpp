@@ -81,7 +81,7 @@ bool are_charts(const Model& model, const ClosedLoop& loop, Diagnostics& diagnos
     for (const ClosedLoop::Controller& controller : loop.controllers) {
         if (!model.charts[controller.chart].program) continue;
         diagnostics.add(messages::only_for_charts(controller.origin, controller.name,
-                                                  "this untimed model requires charts",
+                                                  "this untimed model supports only charts",
                                                   "use `--plant automata` with the schedule `interleaved`, or the "
                                                   "timed engine"));
         all = false;

@@ -66,7 +66,7 @@ std::string_view described(pugi::xml_parse_status status) {
     case pugi::status_bad_pi: return "a processing instruction does not end";
     case pugi::status_bad_comment: return "a comment does not end";
     case pugi::status_bad_cdata: return "a CDATA section does not end";
-    case pugi::status_bad_doctype: return "the document type does not end";
+    case pugi::status_bad_doctype: return "the document type declaration does not end";
     case pugi::status_bad_pcdata: return "a text does not end";
     case pugi::status_bad_start_element: return "a start tag does not end";
     case pugi::status_bad_attribute: return "an attribute must have the form `name=\"value\"`";

@@ -109,7 +109,7 @@ std::vector<std::string> verify(const TestReport& report) {
             if (is_failure) ++failure;
         }
     }
-    if (failure != report.failures.end()) faults.push_back("a failure belongs to no row");
+    if (failure != report.failures.end()) faults.push_back("a failure refers to a row that does not exist");
     return faults;
 }
 

@@ -193,7 +193,7 @@ private:
 
     std::string outputs_fault(const ChartRun::Act& act, const ChartRun::State& now) const {
         const std::optional<Values> outputs = output_values(chart_, state_, inputs_, timed_);
-        if (!outputs) return act.race ? "outputs are written that have no value according to the rules" : "";
+        if (!outputs) return act.race ? "outputs are written, but according to the rules they have no value" : "";
         std::string fault;
         each(Chart::VariableKind::Output, [&](Id<Chart::Variable> id, std::size_t place) {
             if (fault.empty()) fault = output_fault(place, now, (*outputs)[id.index]);

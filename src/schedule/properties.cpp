@@ -18,7 +18,7 @@ Id<Expr> leaf_of(const LoopMeaning& meaning, const ClosedLoop::Symbol& symbol, s
         overloaded{
             [&](const ClosedLoop::SharedSymbol& of) -> Id<Expr> {
                 if (meaning.shared[of.shared.index].valid()) return main.leaf(meaning.shared[of.shared.index]);
-                reason = "`" + loop.shared[of.shared].name + "` is a variable of the plant";
+                reason = "`" + loop.shared[of.shared].name + "` is a variable of the plant, which this model omits";
                 return {};
             },
             [&](const ClosedLoop::InternalSymbol& of) -> Id<Expr> {
@@ -32,16 +32,16 @@ Id<Expr> leaf_of(const LoopMeaning& meaning, const ClosedLoop::Symbol& symbol, s
                 if (meaning.at) return meaning.at(of.instance.index, of.location.index);
                 const ClosedLoop::Instance& instance = loop.instances[of.instance];
                 const Component& component = meaning.model.components[instance.component];
-                reason =
-                    "`" + instance.name + "." + component.locations[of.location].name + "` is a location of the plant";
+                reason = "`" + instance.name + "." + component.locations[of.location].name +
+                         "` is a location of the plant, which this model omits";
                 return {};
             },
             [&](const ClosedLoop::OwnSymbol& of) -> Id<Expr> {
                 if (meaning.own) return main.leaf(meaning.own(of.instance.index, own_argument(loop, of)));
                 const ClosedLoop::Instance& instance = loop.instances[of.instance];
                 const Component& component = meaning.model.components[instance.component];
-                reason =
-                    "`" + instance.name + "." + component.variables[of.variable].name + "` is a variable of the plant";
+                reason = "`" + instance.name + "." + component.variables[of.variable].name +
+                         "` is a variable of the plant, which this model omits";
                 return {};
             },
             [&](const ClosedLoop::TimeSymbol& of) -> Id<Expr> {

@@ -74,7 +74,9 @@ public:
             result_.claim = Supervisor::Permissiveness::Cautious;
             report_phase("recomputing the conditions");
             if (!(losing.all & model_->initial()).is_false())
-                return unknown("the inputs and steps of the charts do not distinguish enough states");
+                return unknown(
+                    "the inputs and steps of the charts do not distinguish the states in which a move must be disabled "
+                    "from the states in which it must be enabled");
         }
         report_phase("simplifying the conditions");
         if (!write(losing)) return unknown("a condition has more than 64 terms");

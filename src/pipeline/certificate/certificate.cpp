@@ -159,9 +159,9 @@ private:
             std::optional<std::string> run;
             if (reason.empty() && !found->run && values >= most_values) reason = "the set of states is too large";
             if (reason.empty() && found->run) {
-                if (ends_with_race(*found->run)) reason = "the run of the verdict ends with a race";
+                if (ends_with_race(*found->run)) reason = "the run that proves the verdict ends with a race";
                 else if (!(run = certificate::run_text(flat_, *found->run, most_bytes)))
-                    reason = "the run of the verdict is too long";
+                    reason = "the run that proves the verdict is too long";
             }
             if (!reason.empty()) omit(*verdict, std::move(reason));
             else if (run) runs.emplace_back(&*found, std::move(*run));

@@ -249,10 +249,10 @@ private:
         if (one.outcome != Comparison::Outcome::Equal) return one;
         one = check_properties({"a_settles_after_stop", "b_settles_after_stop"}, {});
         if (one.outcome == Comparison::Outcome::Different)
-            return {
-                Comparison::Outcome::Unknown,
-                "there are constant inputs for which one side stops and the outputs of the other side do not settle",
-                {}};
+            return {Comparison::Outcome::Unknown,
+                    "there are constant inputs for which one side stops and the outputs of the other side do not "
+                    "settle, so the outputs cannot be compared",
+                    {}};
         return one;
     }
 

@@ -133,9 +133,9 @@ private:
 
     void reject_stop(std::string_view problem, std::string_view remedy) {
         const bool unsupported = has_unsupported(sides_[0], stop_name(0)) || has_unsupported(sides_[1], stop_name(1));
-        reject(
-            fmt::format("`{}` {}", stop_text(), unsupported ? "names an output whose type is not supported" : problem),
-            unsupported ? "use another type" : remedy);
+        reject(fmt::format("`{}` {}", stop_text(),
+                           unsupported ? "names an output of a type that is not supported" : problem),
+               unsupported ? "use another type" : remedy);
     }
 
     /// If side `k` has the output that `--stop-output` names, makes this output internal, so that it is not compared.
@@ -253,8 +253,8 @@ private:
             return;
         }
         if (has_unsupported(side, name)) {
-            reject(fmt::format("{} assigns the output `{}` of {}, whose type is not supported", entry_text(entry), name,
-                               side.label),
+            reject(fmt::format("{} assigns the output `{}` of {}, but the type of this output is not supported",
+                               entry_text(entry), name, side.label),
                    fmt::format("use another type, or pass `--ignore {}` instead", name));
             return;
         }

@@ -305,7 +305,7 @@ void fill_ranges(AgrafeReader& reader, const tree::File& file, tree::Chart& char
         if (!range.exact)
             reader.diagnostics().add(messages::chosen_range(
                 variable.where, file.text(variable.name), range.low, range.high,
-                "AGRAFE defines no ranges, and the chart uses the variable outside of comparisons with constants"));
+                "AGRAFE defines no ranges, and the chart does not only compare the variable with constants"));
         if (variables->kind == tree::VariableKind::Output && range.low < 0) {
             variables->kind = tree::VariableKind::Internal;
             reader.diagnostics().add(

@@ -62,8 +62,8 @@ Id<st::Expr> PlcopenValues::of(const PlcopenLine& line, std::size_t depth) {
         return {};
     }
     if (++values_ > most_values) {
-        reader_.refuse(where, "a network that is too large because shared inputs are copied",
-                       "assign shared values to variables");
+        reader_.refuse(where, "a network that is too large because a value is copied for each element that reads it",
+                       "assign values that several elements read to variables");
         return {};
     }
     if (is(node, "inVariable")) return variable(node, "negated");

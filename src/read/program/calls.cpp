@@ -52,8 +52,9 @@ std::optional<Reader::Callee> Reader::callee(Id<st::Expr> path) {
         if (const auto unit = units_.find(from.word.index);
             unit != units_.end() && !scopes_[unit_.index].variables.contains(from.word.index)) {
             const bool function = file_->units[unit->second].kind == st::UnitKind::Function;
-            reject(from.where, function ? "a function call as a statement" : "a call of a type",
-                   function ? "assign its value to a variable" : "declare an instance and call it");
+            reject(
+                from.where, function ? "a function call as a statement" : "a call of a type",
+                function ? "assign its value to a variable" : "declare an instance of the type, and call the instance");
             return {};
         }
         if (scopes_[unit_.index].members.contains({from.word.index, file_->intern("A").index}))

@@ -75,8 +75,8 @@ private:
         std::map<std::string, YAML::Node> entries;
         for (const auto& entry : from) {
             if (!entry.first.IsScalar()) {
-                reject(where(entry.first), "this key is a list or a map",
-                       "write a word such as `id`, `kind` or `expression`");
+                reject(where(entry.first), "a key must be a word, not a list or a map",
+                       "write a key such as `id`, `kind` or `expression`");
                 continue;
             }
             if (!entries.emplace(entry.first.Scalar(), entry.second).second)

@@ -254,7 +254,7 @@ void Reader::for_statement(const st::Statement& from, Program::Body& body) {
     const auto cell = target(from.target);
     if (cell && (program.types[cell->type].element.valid() || !cell->place.indices.empty()))
         return reject(file_->exprs[from.target].where, "a FOR variable of a subrange type, or with a variable index,",
-                      "use a variable of an integer type without a variable index");
+                      "use an integer variable without a subrange, and only constants as indices");
     if (cell && program.types[cell->type].kind != Type::Kind::Integer) {
         diagnostics->add(messages::program_type_mismatch(file_->exprs[from.target].where, "the variable of FOR",
                                                          "an integer", "`" + program.types[cell->type].name + "`"));

@@ -231,7 +231,7 @@ void print_comparison(const Comparison& comparison, Colour colour, std::ostream&
     print_result(comparison, colour, out);
     if (has_program(comparison)) return;
     out << (comparison.changes.empty() ? "the texts differ at most in order and layout\n"
-                                       : "differences of the texts, from a to b:\n");
+                                       : "differences between the texts, from a to b:\n");
     print_changes(comparison.changes, out);
 }
 

@@ -155,7 +155,7 @@ TEST(CompareOptions, WhatCannotBeComparedIsRejectedWithARemedy) {
               "output of "
               "each program; pass one NAME if only one program has such an output"},
              {lamp, latch, {"--stop-output", "L=L"}, "a program with the output `L`, but `lamp` is not such a program"},
-             {latch, real, {"--stop-output", "r"}, "`--stop-output r` names an output whose type is not supported"},
+             {latch, real, {"--stop-output", "r"}, "`--stop-output r` names an output of a type that is not supported"},
              {latch,
               latch,
               {"--stop-output", "L", "--ignore", "l"},
@@ -164,8 +164,8 @@ TEST(CompareOptions, WhatCannotBeComparedIsRejectedWithARemedy) {
              {latch,
               real,
               {"--map", "L=R"},
-              "`--map L=R` assigns the output `R` of `latch` (b), whose type is not supported; use another type, or "
-              "pass `--ignore R` instead"},
+              "`--map L=R` assigns the output `R` of `latch` (b), but the type of this output is not supported; use "
+              "another type, or pass `--ignore R` instead"},
              {latch, latch, {"--map", "of=off"}, "input or output `of`"},
              {latch, latch, {"--map", "off"}, "invalid value `off` of `--map`; use NAME=NAME"},
              {latch, latch, {"--mode", "every-cycle"}, "`--mode` applies to charts, but both files are programs"},

@@ -127,7 +127,7 @@ TEST(Compare, ADifferenceIsTheShortestSequenceWithBothOutputs) {
               "                 [total-instability]\n"
               "  in the last scan, only `a` stops\n"
               "  a scan is one PLC cycle, mode stability-search\n"
-              "differences of the texts, from a to b:\n"
+              "differences between the texts, from a to b:\n"
               "  transition t1 changed: 1 -> 0 when off\n"
               "    now 1 -> 0 when off && !on\n");
 }

@@ -62,8 +62,10 @@ TEST(EditDeclare, InputOfAnInstanceIsRejected) {
         "grafcet g(input A) {\n    initial step 0;\n}\n"
         "closed_loop l {\n    environment b = free(OUT = B);\n    controller c = g(A = B);\n"
         "    property P: never c.X0 && !c.X0;\n}\n");
-    EXPECT_EQ(edit.obstacle(OperationKind::Declare, "initial", "input D"),
-              "`c` is an instance of the chart; declare the input in the text, and pass it to the instance");
+    EXPECT_EQ(
+        edit.obstacle(OperationKind::Declare, "initial", "input D"),
+        "the instance `c` of the chart requires an argument for the input; declare the input and pass the argument "
+        "in the text of the file");
 }
 
 TEST(EditDeclare, ExpansionOfAMacroStepHasNewNames) {

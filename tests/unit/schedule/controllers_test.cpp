@@ -76,8 +76,8 @@ TEST(ScheduleControllers, OmitsPropertiesThatNeedThePlantWithAReason) {
         const char* reason;
     };
     const Case cases[] = {
-        {"property P: never level == 3;", "`level` is a variable of the plant"},
-        {"property P: never X0 && lamp_1.on;", "`lamp_1.on` is a location of the plant"},
+        {"property P: never level == 3;", "`level` is a variable of the plant, which this model omits"},
+        {"property P: never X0 && lamp_1.on;", "`lamp_1.on` is a location of the plant, which this model omits"},
         {"property P: no deadlock;",
          "the transition relation of this model is total, even if the closed loop can deadlock"},
         {"property P: no timelock;", "this model has no time"},

@@ -61,8 +61,8 @@ std::string permissiveness_text(const Supervised& found) {
     case Supervisor::Permissiveness::Cautious: break;
     }
     if (found.hidden.empty())
-        return "The conditions are not least restrictive: the inputs and steps of the chart do not distinguish enough "
-               "states.";
+        return "The conditions are not least restrictive: the inputs and steps of the chart do not distinguish all "
+               "states in which a move must be disabled from the other states.";
     return fmt::format(
         "The conditions are not least restrictive: with more sensors, conditions could allow {} more often.",
         listed(found.hidden));
