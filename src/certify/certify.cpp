@@ -129,7 +129,7 @@ bool is_trap(const Property& property, const State& from, Semantics& semantics) 
         if (semantics.is_goal(property, open[n], moves.next.size() > (moves.waits ? 1 : 0), moves.waits)) return false;
         for (const State& next : moves.next)
             if (seen.insert(next).second) open.push_back(next);
-        if (are_too_many(seen.size(), from)) reject("too many states follow a run");
+        if (are_too_many(seen.size(), from)) reject("too many states are reachable from the last state of a run");
     }
     return true;
 }
@@ -219,7 +219,8 @@ std::string check(const std::filesystem::path& folder, const std::string& prefix
     }
     for (const auto& [error, count] : errors)
         if (count == graphs) reject("a model error is possible: " + error);
-    for (const std::string& name : open) result += prefix + name + ": not certified: no claim\n";
+    for (const std::string& name : open)
+        result += prefix + name + ": not certified: the certificate contains no verdict\n";
     return prefix + "network " + checksum(model) + ": " + std::to_string(states) + " states\n" + result;
 }
 

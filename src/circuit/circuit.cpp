@@ -21,7 +21,8 @@ void check_sources(const Circuit& circuit, Faults& faults) {
     for (const Circuit::Input& input : circuit.inputs) name(input.node, "input `" + input.name + "`");
     for (const Circuit::Latch& latch : circuit.latches) name(latch.node, "latch `" + latch.name + "`");
     for (std::uint32_t node = 1; node < named.size(); ++node)
-        if (!circuit.gates.is_gate(node) && named[node] == 0) faults.push_back("a source belongs to no input or latch");
+        if (!circuit.gates.is_gate(node) && named[node] == 0)
+            faults.push_back("a source belongs neither to an input nor to a latch");
 }
 
 }  // namespace
@@ -34,7 +35,8 @@ std::vector<std::string> verify(const Circuit& circuit) {
             faults.push_back(fmt::format("node {} reads itself or a later node", node));
     check_sources(circuit, faults);
     const auto known = [&](Gates::Literal literal, const char* what) {
-        if (node_of(literal) >= gates.size()) faults.push_back(fmt::format("{} refers to no node", what));
+        if (node_of(literal) >= gates.size())
+            faults.push_back(fmt::format("{} refers to a node that does not exist", what));
     };
     for (const Circuit::Latch& latch : circuit.latches) known(latch.next, "a latch");
     for (const auto* words : {&circuit.words, &circuit.symbols})

@@ -69,7 +69,7 @@ Change Document::perform(const Operation& operation, bool trial) {
     }
     const Element* const element = elements.at(operation.at);
     if (element == nullptr || element->action != nullptr || element->assignment != nullptr)
-        return {"only a step or a transition has a name", {}, {}};
+        return {"only steps and transitions can be renamed", {}, {}};
     return rename(*element, operation.text, trial);
 }
 

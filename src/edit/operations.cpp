@@ -38,7 +38,9 @@ void Planner::execute(const Operation& operation) {
     case OperationKind::Partial: return add_partial(trimmed(operation.text));
     case OperationKind::Macro: return add_macro();
     case OperationKind::Enclosing: return add_enclosing(trimmed(operation.text));
-    case OperationKind::Rename: obstacle_ = "renaming requires all files that use the name"; return;
+    case OperationKind::Rename:
+        obstacle_ = "the name cannot be changed in this text alone, because other files may use the name";
+        return;
     }
 }
 
@@ -241,7 +243,8 @@ void Planner::remove_assignment() {
     std::uint32_t begin = after;
     for (const lsp::Word& word : lsp::words_of(text_.substr(after, places[0].begin - after)))
         if (text_.substr(after + word.begin, word.end - word.begin) == "do") begin = after + word.begin;
-    if (layout_.has_comment(begin, places[0].begin)) obstacle_ = "a comment is in front of the action; edit the text";
+    if (layout_.has_comment(begin, places[0].begin))
+        obstacle_ = "a comment precedes the action and would be deleted; edit the text";
     while (text_[begin - 1] == ' ') --begin;
     add({begin, places[0].end, ""});
 }

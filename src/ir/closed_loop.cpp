@@ -159,7 +159,8 @@ bool is_known(const ClosedLoopChecker& checker, const ClosedLoop::Symbol& symbol
 
 void check_properties(ClosedLoopChecker& checker) {
     const ClosedLoop& loop = checker.loop;
-    for (const auto& symbol : loop.symbols) checker.check(is_known(checker, symbol), "a symbol refers to no element");
+    for (const auto& symbol : loop.symbols)
+        checker.check(is_known(checker, symbol), "a symbol refers to an element that does not exist");
     for (std::uint32_t index = 0; index < loop.exprs.size(); ++index) {
         const Expr& node = loop.exprs[Id<Expr>{index}];
         if (is_leaf(node.op))

@@ -70,7 +70,7 @@ void check_assignments(ComponentChecker& checker, const std::vector<Component::A
     const Component& component = checker.component;
     for (const Component::Assignment& assignment : assignments) {
         const Sort sort = checker.sorts(assignment.target);
-        checker.check(sort != Sort::None, "an assignment has no target");
+        checker.check(sort != Sort::None, "the target of an assignment does not exist or has no type");
         if (sort == Sort::None) continue;
         const Expr& target = component.exprs[assignment.target];
         const bool output =
@@ -85,7 +85,8 @@ void check_assignments(ComponentChecker& checker, const std::vector<Component::A
 
 void check_clocks(ComponentChecker& checker, const std::vector<Component::ClockConstraint>& constraints) {
     for (const Component::ClockConstraint& constraint : constraints) {
-        checker.check(checker.component.clocks.contains(constraint.clock), "a clock constraint has no clock");
+        checker.check(checker.component.clocks.contains(constraint.clock),
+                      "a clock constraint has a clock that does not exist");
         checker.is(constraint.bound, Sort::Duration, "the bound of a clock");
         checker.check(is_comparison(constraint.relation) && constraint.relation != Op::NotEqual,
                       "a clock constraint has an invalid relation");
@@ -115,7 +116,8 @@ void check_edges(ComponentChecker& checker) {
         checker.check(!edge.urgent || edge.constraint.empty(), "an urgent edge has a clock constraint");
         check_clocks(checker, edge.constraint);
         check_assignments(checker, edge.assignments);
-        for (const auto clock : edge.resets) checker.check(component.clocks.contains(clock), "a reset has no clock");
+        for (const auto clock : edge.resets)
+            checker.check(component.clocks.contains(clock), "an edge resets a clock that does not exist");
     }
 }
 

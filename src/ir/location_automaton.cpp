@@ -106,7 +106,8 @@ struct LocationAutomatonCheck {
         if (!std::ranges::is_sorted(automaton.instabilities, {}, &LocationAutomaton::Instability::from))
             fault("the instabilities are not ordered by `from`");
         for (const LocationAutomaton::Instability& instability : automaton.instabilities) {
-            if (!automaton.locations.contains(instability.from)) fault("an instability has no location");
+            if (!automaton.locations.contains(instability.from))
+                fault("an instability has a location that does not exist");
             condition(instability.condition, "the condition of an instability");
             if (instability.witness.size() != automaton.inputs.size())
                 fault("a witness of instability does not have exactly one value per input");

@@ -53,18 +53,20 @@ struct MealyCheck {
         for (const Transition& transition : machine.transitions) {
             if (!machine.states.contains(transition.from) || !machine.states.contains(transition.to))
                 fault("a transition has a state that does not exist");
-            if (!machine.answers.contains(transition.answer)) fault("a transition has no output values");
+            if (!machine.answers.contains(transition.answer)) fault("a transition has output values that do not exist");
             if (transition.wait_ms < 0) fault("a transition waits for a negative time");
             condition(transition.condition);
         }
         if (!std::ranges::is_sorted(machine.unstable, {}, &MealyMachine::Unstable::from))
             fault("the unstable inputs are not ordered by `from`");
         for (const MealyMachine::Unstable& unstable : machine.unstable) {
-            if (!machine.states.contains(unstable.from)) fault("an entry of unstable inputs has no state");
+            if (!machine.states.contains(unstable.from))
+                fault("an entry of unstable inputs has a state that does not exist");
             condition(unstable.condition);
         }
         for (const MealyMachine::Activation& activation : machine.activation) {
-            if (!machine.answers.contains(activation.answer)) fault("the activation has no output values");
+            if (!machine.answers.contains(activation.answer))
+                fault("the activation has output values that do not exist");
             condition(activation.condition);
         }
     }

@@ -28,10 +28,11 @@ void check_member(const System& system, bool in_main, const System::Symbol& symb
                   Faults& faults) {
     const std::string where = "`" + symbol.name + "`";
     if (!in_main) return faults.push_back(where + " refers to a symbol of an instance, but is not in the main module");
-    if (!system.instances.contains(member.instance)) return faults.push_back(where + " names no instance");
+    if (!system.instances.contains(member.instance))
+        return faults.push_back(where + " refers to an instance that does not exist");
     const Id<System::Module> module = system.instances[member.instance].module;
     if (!system.modules.contains(module) || !system.modules[module].symbols.contains(member.symbol))
-        return faults.push_back(where + " names no symbol of its instance");
+        return faults.push_back(where + " refers to a symbol that its instance does not have");
     if (system.modules[module].symbols[member.symbol].type != symbol.type)
         faults.push_back(where + " has a type that differs from the one of its symbol");
 }

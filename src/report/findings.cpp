@@ -108,7 +108,7 @@ void print_findings(const Analysis& analysis, const Sources& sources, Colour col
 }
 
 std::string open_text(const OpenQuestion& question) {
-    if (is_trap(question.code)) return "decided only if all situations are explored";
+    if (is_trap(question.code)) return "can be decided only when all situations are explored";
     const bool never =
         question.code.find("-never-") != std::string::npos || question.code.find("-always-") != std::string::npos;
     const std::string least =

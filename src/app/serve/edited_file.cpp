@@ -262,7 +262,7 @@ void EditedFile::restore() {
 }
 
 std::string EditedFile::save() {
-    const std::string conflict = "another program has changed the file; choose a version first";
+    const std::string conflict = "another program has changed the file; choose which version to keep";
     if (other_) return conflict;
     if (document_.text().size() > largest_edited) return "the text is larger than 4 MiB; shorten it before you save";
     const auto content = read_disk();

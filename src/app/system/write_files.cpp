@@ -55,7 +55,7 @@ constexpr std::size_t random_digits = 16;
 
 std::string draft_name() {
     std::uint64_t number = 0;
-    if (::getrandom(&number, sizeof number, 0) != sizeof number) fail(errno, "no source of random numbers");
+    if (::getrandom(&number, sizeof number, 0) != sizeof number) fail(errno, "the system provides no random numbers");
     return fmt::format("{}{:0{}x}{}", draft_begin, number, random_digits, draft_end);
 }
 

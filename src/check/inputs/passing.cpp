@@ -160,9 +160,9 @@ std::optional<bool> InputAbstractionCheck::prove_possible(std::size_t k, const F
     Verdict found;
     found.outcome = Outcome::Holds;
     found.states = std::to_string(possible_->states());
-    found.notes = {"proved with only those edges that can be taken for all values of the clocks"};
+    found.notes = {"the proof uses only edges that can be taken for all values of the clocks"};
     if (const std::vector<std::string>& moves = possible_->sequence(); !moves.empty())
-        found.notes.push_back(fmt::format("in each state, moves of the panel can lead to few possible states: {}",
+        found.notes.push_back(fmt::format("from every state, few states are possible after these moves: {}",
                                           fmt::join(moves, ", then ")));
     conclude(k, found, possible_->levels());
     return true;

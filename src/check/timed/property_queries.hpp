@@ -21,7 +21,7 @@ Property undeclared_timelock(const Network& network);
 bool about_time(const Property& property);
 
 /// Reason of the unknown verdict on `no timelock` if an input abstraction has a cycle of urgent edges.
-inline constexpr const char* endless_instants = "in the abstraction, urgent edges may follow each other without end";
+inline constexpr const char* endless_instants = "the abstraction has a cycle of urgent edges, in which no time passes";
 /// True if `options` select `property`.
 bool is_selected(const TimedOptions& options, const Property& property);
 

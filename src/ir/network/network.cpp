@@ -105,7 +105,7 @@ private:
         for (const Network::Assignment& assignment : assignments) {
             const Sort sort = sorts_(assignment.target);
             if (sort == Sort::None) {
-                fault(where + ": an assignment has no target");
+                fault(where + ": the target of an assignment does not exist or has no type");
                 continue;
             }
             const Expr& node = network_.exprs[assignment.target];

@@ -119,11 +119,11 @@ private:
         if (options_.stop.size() == 2) {
             for (const std::size_t k : {0U, 1U})
                 if (taken[k].empty())
-                    reject_stop(fmt::format("needs a program with the output `{}`, but {} is not such a program",
+                    reject_stop(fmt::format("requires a program with the output `{}`, but {} is not such a program",
                                             options_.stop[k], sides_[k].label),
                                 "name an output of each program; pass one NAME if only one program has such an output");
         } else if (taken[0].empty() && taken[1].empty())
-            reject_stop("names no output of a program", "name an output of a program");
+            reject_stop("does not name an output of a program", "name an output of a program");
     }
 
     /// Adds an error that has no position in a file.
@@ -188,7 +188,7 @@ private:
                        "remove one of these options");
                 return;
             }
-        reject(fmt::format("`--ignore {}` names no output of the compared files", name), "name an output");
+        reject(fmt::format("`--ignore {}` does not name an output of the compared files", name), "name an output");
     }
 
     static bool same_name(const CompareSide& side, std::string_view a, std::string_view b) {

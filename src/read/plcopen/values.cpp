@@ -114,7 +114,8 @@ Id<st::Expr> PlcopenValues::variable(pugi::xml_node node, std::string_view mark)
         return {};
     }
     if (reader_.of_program && is(node, "inOutVariable") && is_connected(node)) {
-        reader_.refuse(reader_.xml.where(node), "an element that assigns a variable and passes it on",
+        reader_.refuse(reader_.xml.where(node),
+                       "an element that assigns a variable and passes its value to another element",
                        "assign the variable in one network and read it in the next");
         return {};
     }

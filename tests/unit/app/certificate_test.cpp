@@ -178,7 +178,8 @@ TEST(Certify, AcceptsAShownRunAndRejectsAFalseClaim) {
     const Folder folder;
     const Certified shown = certify(write_certificate(folder, lamp, "holds lit\n1 1\nend\n"));
     EXPECT_EQ(shown.code, 0) << shown.out;
-    EXPECT_NE(shown.out.find("lit: holds, shown by a run\ndark: not certified: no claim\n"), std::string::npos);
+    EXPECT_NE(shown.out.find("lit: holds, shown by a run\ndark: not certified: the certificate contains no verdict\n"),
+              std::string::npos);
     const Certified not_shown = certify(write_certificate(folder, lamp, "holds lit\n0 0\nend\n"));
     EXPECT_EQ(not_shown.code, 1);
     EXPECT_EQ(not_shown.out, "rejected: the run of `lit` does not prove the verdict\n");
@@ -222,8 +223,10 @@ TEST(Certify, NamesTheFolderOfAProperty) {
     folder.write("dark/certificate.txt", index);
     const Certified found = certify(write_certificate(folder, lamp, "also dark\n"));
     EXPECT_EQ(found.code, 0);
-    EXPECT_NE(found.out.find("\ndark/dark: holds, proved by the states\ndark: not certified: no claim\n"),
-              std::string::npos)
+    EXPECT_NE(
+        found.out.find(
+            "\ndark/dark: holds, proved by the states\ndark: not certified: the certificate contains no verdict\n"),
+        std::string::npos)
         << found.out;
 }
 

@@ -145,14 +145,17 @@ TEST(CompareOptions, WhatCannotBeComparedIsRejectedWithARemedy) {
              {wide, with(with(wide, "n : INT", "n : TIME"), "n > 3", "n > T#3ms"), {}, "a duration in `p` (b)"},
              {latch, with(latch, "L : BOOL", "M : BOOL; L : BOOL"), {}, "the output `M` exists only in `latch` (b)"},
              {latch, latch, {"--ignore", "L"}, "`latch` has no outputs and cannot be compared"},
-             {latch, latch, {"--ignore", "K"}, "`--ignore K` names no output of the compared files; name an output"},
-             {latch, latch, {"--stop-output", "K"}, "`--stop-output K` names no output of a program"},
+             {latch,
+              latch,
+              {"--ignore", "K"},
+              "`--ignore K` does not name an output of the compared files; name an output"},
+             {latch, latch, {"--stop-output", "K"}, "`--stop-output K` does not name an output of a program"},
              {latch, latch, {"--stop-output", "=L"}, "invalid value `=L` of `--stop-output`; use NAME or NAME=NAME"},
              {latch,
               latch,
               {"--stop-output", "L=K"},
-              "`--stop-output L=K` needs a program with the output `K`, but `latch` (b) is not such a program; name an "
-              "output of "
+              "`--stop-output L=K` requires a program with the output `K`, but `latch` (b) is not such a program; name "
+              "an output of "
               "each program; pass one NAME if only one program has such an output"},
              {lamp, latch, {"--stop-output", "L=L"}, "a program with the output `L`, but `lamp` is not such a program"},
              {latch, real, {"--stop-output", "r"}, "`--stop-output r` names an output of a type that is not supported"},

@@ -146,9 +146,9 @@ TEST(EditedFile, ChangeOfAnotherProgramIsNotOverwritten) {
     Session session(folder);
     session.type(lamp + "// mine\n");
     folder.write("lamp.grafcet", lamp + "// theirs\n");
-    EXPECT_EQ(session.problem("/save"), "another program has changed the file; choose a version first");
+    EXPECT_EQ(session.problem("/save"), "another program has changed the file; choose which version to keep");
     EXPECT_EQ(session.state()["other"], lamp + "// theirs\n");
-    EXPECT_EQ(session.problem("/save"), "another program has changed the file; choose a version first");
+    EXPECT_EQ(session.problem("/save"), "another program has changed the file; choose which version to keep");
     EXPECT_EQ(session.problem("/resolve", {{"keep", "both"}}), "the choice must be `page` or `file`");
     EXPECT_EQ(session.problem("/resolve", {{"keep", "file"}}), "");
     EXPECT_EQ(session.file().text(), lamp + "// theirs\n");

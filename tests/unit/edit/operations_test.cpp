@@ -265,7 +265,7 @@ TEST(EditOperations, RenamingChangesEveryUse) {
     edit.expect("transition on:", "transition start:");
     EXPECT_EQ(edit.obstacle(OperationKind::Rename, "step bright", "2").substr(0, 28), "`2` has another meaning in t");
     EXPECT_EQ(edit.obstacle(OperationKind::Rename, "step bright", "a b"), "`a b` is not a valid name here");
-    EXPECT_EQ(edit.obstacle(OperationKind::Rename, "LAMP; }", "a"), "only a step or a transition has a name");
+    EXPECT_EQ(edit.obstacle(OperationKind::Rename, "LAMP; }", "a"), "only steps and transitions can be renamed");
 }
 
 TEST(EditOperations, UnnamedTransitionGetsAName) {
