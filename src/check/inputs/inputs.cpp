@@ -37,7 +37,10 @@ void InputAbstractionCheck::collect() {
         if (is_of_loop && (is_limited || verdict.obstacle == UnknownReason::Inexact)) {
             if (property.pattern == Pattern::AlwaysPossible && (!property.at_stable || result_.settles))
                 possible.verdicts.push_back(k);
-            if (is_liveness(property.pattern) && !property.at_stable) response.verdicts.push_back(k);
+            if (is_liveness(property.pattern) && !property.at_stable) {
+                response.verdicts.push_back(k);
+                explored_.push_back(k);
+            }
         }
         if (!is_limited) continue;
         if (!is_about_states(property.pattern)) continue;
@@ -91,7 +94,7 @@ bool InputAbstractionCheck::search_for_runs(std::uint64_t states) {
         if (run) run = in_units(stricter_, std::move(*run));
         if (!run) continue;
         Verdict found;
-        found.outcome = is_about_all_states(single(explored_[i]).pattern) ? Outcome::Violated : Outcome::Holds;
+        found.outcome = is_about_existence(single(explored_[i]).pattern) ? Outcome::Holds : Outcome::Violated;
         found.run = std::move(run);
         found.states = std::to_string(novelty_->states());
         conclude(explored_[i], found, Levels(instances_.size(), InputLevel::Complete));

@@ -6,6 +6,10 @@
 // steps and internal variables of the PLCs and the locations and variables of the plant. Among states with the same
 // signature, states with fewer previous moves of autonomous instances come first. The order determines only which runs
 // are found early; each run that the search finds is a run of the loop.
+//
+// For `p leads to q` and `inevitable q`, the search finds violations that end in a state of rest: q is awaited, no urgent
+// edge is enabled, and no process is in a location with an invariant, so that time can pass forever without a move. For
+// example, the chart waits for an operator who never presses the button.
 #pragma once
 
 #include <memory>
@@ -27,7 +31,8 @@ std::uint64_t signature_of(const std::vector<timed::Field>& fields, const timed:
 class NoveltySearch {
 public:
     /// `network` must be expanded, must not be an abstraction, must not have observers, and must outlive the search.
-    /// Each property in `properties` concerns single states, or is `reachable all steps` for one step.
+    /// Each property in `properties` concerns single states, is `reachable all steps` for one step, or is `leads to` or
+    /// `inevitable` without `at stable`.
     NoveltySearch(const Network& network, std::vector<Property> properties,
                   const std::vector<AbstractableProcess>& instances);
     ~NoveltySearch();
@@ -36,7 +41,8 @@ public:
     /// state that decides each property was found, or if the memory limit is reached.
     bool run(const FollowLimits& limits);
     std::size_t states() const;
-    /// Returns the run to a state that decides the property, or nullopt if no such state was found.
+    /// Returns the run to a state that decides the property, or nullopt if no such state was found. For `leads to` and
+    /// `inevitable`, the run ends with a delay that repeats forever.
     std::optional<Run> run_of(std::size_t property) const;
 
 private:

@@ -64,6 +64,31 @@ TEST(Novelty, ContinuesWithTheNextBound) {
     EXPECT_TRUE(loop.search.run_of(0));
 }
 
+TEST(Novelty, FindsARunThatWaitsForeverForTheResponse) {
+    for (const std::string property : {"X4 leads to X7", "inevitable X7"}) {
+        Searched loop(chain(8, property));
+        EXPECT_FALSE(loop.search.run({.states = 100'000})) << "the property has a run: " << property;
+        const auto run = loop.search.run_of(0);
+        ASSERT_TRUE(run) << property;
+        EXPECT_EQ(run->loop, run->moves.size() - 1) << "the last delay repeats forever";
+        EXPECT_TRUE(replay(loop.network, *run));
+    }
+}
+
+TEST(Novelty, FindsNoStateOfRestWhileAMovementIsInProgress) {
+    // In step 1, the movement of the plant takes 2 s, so that time cannot pass forever without S.
+    Searched loop(chain(2, "Q leads to S || !Q"));
+    EXPECT_FALSE(loop.search.run({.states = 1'000'000})) << "all states";
+    EXPECT_FALSE(loop.search.run_of(0));
+}
+
+TEST(Novelty, AwaitsNoResponseThatHasOccurred) {
+    // The chart can rest in step 1, in which Q is true.
+    Searched loop(chain(1, "Q leads to X1"));
+    EXPECT_FALSE(loop.search.run({.states = 1'000'000})) << "all states";
+    EXPECT_FALSE(loop.search.run_of(0));
+}
+
 TEST(Novelty, EndsWithItsMemory) {
     Searched loop(chain(8, "never X8"));
     EXPECT_FALSE(loop.search.run({.states = 1'000'000, .bytes = 100'000}));
