@@ -347,8 +347,7 @@ private:
             } else if (verdict.property == "continues" && verdict.outcome == Outcome::Violated) {
                 answer = {Comparison::Outcome::Different, {}, {}};
             } else if (!queries_inputs && verdict.outcome == Outcome::Violated) {
-                if (!found.runs[k])
-                    return {Comparison::Outcome::Unknown, "the engine found a difference, but no trace of it", {}};
+                if (!found.runs[k]) return {Comparison::Outcome::Unknown, "no trace shows the difference", {}};
                 answer = {Comparison::Outcome::Different, {}, scans_of(both, *found.runs[k])};
             }
         }
