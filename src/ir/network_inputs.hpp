@@ -69,6 +69,7 @@ struct InputAblations {
     // Premises of lets_time_pass (check/inputs/resting.hpp):
     bool ignore_bounds = false, ignore_outputs = false, ignore_moves = false;
     bool ignore_evolutions = false;  ///< evolutions of a PLC need not end
+    bool ignore_errors = false;      ///< the proof that evolutions end ignores model errors
     bool search_evolutions = false;  ///< not a premise: a search proves that evolutions end, instead of evolutions_end
 
     // Premises of PossibleProof (check/inputs/possible.hpp):

@@ -66,14 +66,14 @@ public:
 
     /// Returns true if the evolutions of the PLC end. `constant` contains the variables that, from some time on, no
     /// process except for the PLC assigns.
-    bool run(const std::set<VariableId>& constant) {
+    bool run(const std::set<VariableId>& constant, bool errors_are_excluded) {
         if (!cycle_.build()) return false;
         for (const auto& [variable, bits] : cycle_.before)
             if (constant.contains(variable)) (cycle_.next.contains(variable) ? kept_ : steady_).insert(variable);
         for (const TimerRequest& request : requests_)
             if (waits_for(request.request)) awaited_.push_back(&request);
         find_groups();
-        if (may_have_error()) return false;
+        if (!errors_are_excluded && may_have_error()) return false;
         for (bool grows = true; std::exchange(grows, false);)
             for (Group& group : groups_) {
                 if (group.is_steady || group.valuations.empty() || has_cycle(group)) continue;
@@ -370,7 +370,7 @@ private:
 }  // namespace
 
 std::optional<bool> evolutions_end(const Network& network, const std::vector<AbstractableProcess>& instances,
-                                   const pdr::SolverLimits& limits) {
+                                   const pdr::SolverLimits& limits, bool errors_are_excluded) {
     const std::vector<TimerRequest> requests = requests_of(network);
     std::set<Id<Network::Process>> open;  // PLCs for which it is not yet proved that evolutions end
     for (const Network::Controller& controller : network.controllers) open.insert(controller.process);
@@ -386,7 +386,8 @@ std::optional<bool> evolutions_end(const Network& network, const std::vector<Abs
                 if (open.contains(id)) constant.erase(variable);
             }
         }
-        return EvolutionProof(network, controller, instances, requests, shared, monitor).run(constant);
+        return EvolutionProof(network, controller, instances, requests, shared, monitor)
+            .run(constant, errors_are_excluded);
     };
     try {
         for (bool grows = true; grows && !open.empty();) {

@@ -31,12 +31,13 @@
 
 namespace grafverif {
 
-/// Returns true if two statements are proved. First, no reachable edge of a PLC has a model error. Second, each
+/// Returns true if two statements are proved. First, no reachable edge of a PLC has a model error; if
+/// `errors_are_excluded` is true, the caller has proved this statement. Second, each
 /// infinite run of urgent edges contains infinitely many edges that assign a variable which a PLC reads and that belong
 /// neither to a PLC nor to a timer. Returns false if there is no proof, and nullopt if a limit is reached. Requires
 /// that `network` is expanded, has no observers, and satisfies lets_time_pass
 /// (check/inputs/resting.hpp). `instances` are the abstractable processes of `network`.
 std::optional<bool> evolutions_end(const Network& network, const std::vector<AbstractableProcess>& instances,
-                                   const pdr::SolverLimits& limits);
+                                   const pdr::SolverLimits& limits, bool errors_are_excluded = false);
 
 }  // namespace grafverif

@@ -124,6 +124,8 @@ private:
     void refine(std::size_t verdict, const Task& task, End end, const Levels& levels, std::vector<Task>& tasks) const;
     void search(const Task& task);
     void search_passing(const Task& task);
+    bool proves_evolutions();
+    bool excludes_errors();
     void conclude_passing(const Verdict& proof, const Task& task);
     void note_no_proof(const Task& task);
     void search_progress(const Task& task);
@@ -176,6 +178,8 @@ private:
     double symbolic_seconds_ = 0;
     const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
     std::optional<bool> evolutions_end_ = {};  // result of the function evolutions_end; empty if not computed yet
+    bool errors_are_excluded_ = false;         // true if a complete search of an abstraction found no model error
+    bool was_excluded_ = false;                // true if evolutions_end_ was computed without regard to model errors
     std::optional<bool> takes_time_ = {};      // result of the function takes_time; empty if not computed yet
     std::uint64_t round_ = 0;                  // bound of the searches of the current round
     Deadline deadline_ = {};

@@ -227,6 +227,7 @@ TimedResult InputAbstractionCheck::searched(const Network& network, const InputA
     result_.transitions += found.transitions;
     result_.bytes = std::max(result_.bytes, found.bytes);
     result_.seconds += found.seconds;
+    if (task.kind == Kind::SingleStates && found.complete && found.errors.empty()) errors_are_excluded_ = true;
     return found;
 }
 

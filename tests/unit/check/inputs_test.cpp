@@ -525,6 +525,23 @@ TEST(InputAbstraction, ProvesThatTimePassesForAllValuations) {
     }
 }
 
+TEST(InputAbstraction, ProvesThatTimePassesIfASearchExcludesModelErrors) {
+    // Step 1 is active only while N < 2, but the proof that evolutions end considers steps and counters separately.
+    const auto counting = [](const std::string& when) {
+        return loop("input A, B; output L; internal N: int 0..2;",
+                    "initial step 0; step 1 { L; N := N + 1 on deactivation; } transition t0: 0 -> 1 when " + when +
+                        "; transition t1: 1 -> 0 when !A;",
+                    "environment EA = push_button(OUT = A);\nenvironment EB = push_button(OUT = B);", "no timelock");
+    };
+    const Verdict excluded = decided(counting("A && N < 2"));
+    EXPECT_EQ(excluded.outcome, Outcome::Holds);
+    ASSERT_EQ(excluded.notes.size(), 1U);
+    EXPECT_EQ(excluded.notes.front(), "proved separately for the processes and for the evolutions of the charts");
+    EXPECT_EQ(decided(counting("A")).outcome, Outcome::Unknown) << "N may leave its range";
+    EXPECT_EQ(decided(counting("A"), {.explored = 0}, {.ignore_errors = true}).outcome, Outcome::Holds)
+        << "the test would not detect that the premise is violated";
+}
+
 TEST(InputAbstraction, ProvesNoAbsenceOfTimelockIfAnInputFollowsAnOutputAtOnce) {
     const std::string text =
         "component echo(input P; output S) { initial location off; location on; urgent off -> on when P do S := true; "
