@@ -40,7 +40,7 @@ public:
         out_ << fmt::format("state space factors of {} ({}):\n",
                             all ? fmt::format("these {} states", profile_.states)
                                 : fmt::format("the first {} of {} states", profile_.sampled, profile_.states),
-                            "x N: N times fewer states would remain without this element");
+                            "x N: without this element, the number of states would be divided by N");
         print_lines(profile_.parts, [&](const StateProfile::Component& part) {
             const bool more = part.combinations >= profile_.most_combinations;
             return fmt::format("{} {}, {}{} combinations of its variables", kind_word(part.kind), printable(part.name),
@@ -75,7 +75,7 @@ private:
         const std::string gain =
             finest.factor.value() < least_factor
                 ? ""
-                : fmt::format(" (x {0:.1f}: with this unit, {0:.1f} times fewer states would remain)",
+                : fmt::format(" (x {0:.1f}: with this unit, the number of states would be divided by {0:.1f})",
                               finest.factor.value());
         if (finest.duration_ms == 0)
             out_ << fmt::format("    the declared time unit is {}{}; the durations are multiples of {}{}\n",

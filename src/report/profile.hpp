@@ -13,8 +13,8 @@ namespace grafverif {
 /// Sets the source positions of the components and clocks.
 void name_places(StateProfile& profile, const Sources& sources);
 
-/// Prints one line per component and clock in the order of decreasing factor, followed by remarks about the states. The
-/// factor states how many times fewer states would remain if the component or clock were ignored.
+/// Prints one line per component and clock in the order of decreasing factor, followed by remarks about the states. If
+/// the component or clock were ignored, the number of states would be divided by the factor.
 void print_profile(const StateProfile& profile, std::ostream& out);
 
 /// Returns `{"states", "sampled", "inside_cycles", "parts":[{"name", "kind", "combinations", "factor", "place"}],

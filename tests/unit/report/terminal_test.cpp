@@ -292,14 +292,14 @@ TEST(Terminal, PrintsTheStateProfile) {
     profile.finest = StateProfile::Finest{1010, 10, 100, {30, 12}, {}, "a.grafcet:7"};
     report.profile = profile;
     const std::string output = text(report);
-    EXPECT_NE(output.find("state space factors of the first 30 of 40 states (x N: N times fewer states would remain "
-                          "without this element):\n"
+    EXPECT_NE(output.find("state space factors of the first 30 of 40 states (x N: without this element, the number of "
+                          "states would be divided by N):\n"
                           "    x 6.0     controller PLC, 12 or more combinations of its variables (a.grafcet:3)\n"
                           "    x 3.0     the clock t of Start alone, 13 values, greatest constant in comparisons: 12\n"
                           "    33 % of these states are within a cycle; with grain atomic, each cycle is one step, "
                           "and at most 20 of these states remain\n"
                           "    with the duration 1.01 s (a.grafcet:7), the time unit is 0.01 s; without this duration, "
-                          "it is 0.1 s (x 2.5: with this unit, 2.5 times fewer states would remain)\n"),
+                          "it is 0.1 s (x 2.5: with this unit, the number of states would be divided by 2.5)\n"),
               std::string::npos)
         << output;
 }
