@@ -172,8 +172,9 @@ void check_transitions(const Chart& chart, ChartFaults& faults) {
 
 void check_actions(const Chart& chart, ChartFaults& faults) {
     for (const auto& action : chart.continuous) {
-        faults.check(chart.steps.contains(action.step), "a continuous action has a step that does not exist");
-        faults.check(chart.variables.contains(action.output), "a continuous action has an output that does not exist");
+        faults.check(chart.steps.contains(action.step), "a continuous action refers to a step that does not exist");
+        faults.check(chart.variables.contains(action.output),
+                     "a continuous action refers to an output that does not exist");
         if (chart.variables.contains(action.output))
             faults.check(chart.variables[action.output].type.boolean,
                          "the output of a continuous action is an integer");
@@ -182,18 +183,18 @@ void check_actions(const Chart& chart, ChartFaults& faults) {
     for (const auto& action : chart.stored) {
         const bool clearing = action.on == Chart::StoredOn::Clearing;
         faults.check(clearing ? chart.transitions.contains(action.transition) : chart.steps.contains(action.step),
-                     "a stored action has a step or transition that does not exist");
+                     "a stored action refers to a step or transition that does not exist");
         faults.check((action.on == Chart::StoredOn::Event) == action.event.valid(),
                      "a stored action has an unexpected event, or its event is missing");
         if (action.event.valid()) faults.condition(action.event, "an event");
         const bool known = chart.variables.contains(action.target) && chart.exprs.contains(action.value);
-        faults.check(known, "a stored action has a target or value that does not exist");
+        faults.check(known, "a stored action refers to a target or value that does not exist");
         if (!known) continue;
         faults.sorts.check(action.value, sort_of(chart.variables[action.target].type), "the value of a stored action",
                            faults.found);
     }
     for (const auto& order : chart.forcing) {
-        faults.check(chart.steps.contains(order.step), "a forcing order has a step that does not exist");
+        faults.check(chart.steps.contains(order.step), "a forcing order refers to a step that does not exist");
         faults.check(chart.partial_charts.contains(order.forced),
                      "a forcing order forces a partial chart that does not exist");
         for (const auto step : order.situation)

@@ -86,7 +86,7 @@ void check_assignments(ComponentChecker& checker, const std::vector<Component::A
 void check_clocks(ComponentChecker& checker, const std::vector<Component::ClockConstraint>& constraints) {
     for (const Component::ClockConstraint& constraint : constraints) {
         checker.check(checker.component.clocks.contains(constraint.clock),
-                      "a clock constraint has a clock that does not exist");
+                      "a clock constraint refers to a clock that does not exist");
         checker.is(constraint.bound, Sort::Duration, "the bound of a clock");
         checker.check(is_comparison(constraint.relation) && constraint.relation != Op::NotEqual,
                       "a clock constraint has an invalid relation");

@@ -109,7 +109,7 @@ struct EquationsCheck {
         for (const Equations::Timer& timer : equations.timers) time(timer);
         for (const Id<Equations::Timer> timer : equations.conditions)
             if (timer.valid() && timer.index >= equations.timers.size())
-                fault("a time condition has a timer that does not exist");
+                fault("a time condition refers to a timer that does not exist");
         for (const Equations::Output& output : equations.outputs) {
             define(output.variable, output.value, "the value");
             role(output.variable, Role::Output);
@@ -127,7 +127,7 @@ struct EquationsCheck {
 
     void time(const Equations::Timer& timer) {
         if (!known(timer.watched) || !known(timer.end))
-            return fault("the timer `" + timer.name + "` has a variable that does not exist");
+            return fault("the timer `" + timer.name + "` refers to a variable that does not exist");
         const Role kind = equations.variables[timer.watched].role;
         if (kind != Role::Step && kind != Role::Watched)
             fault("the timer `" + timer.name + "` watches " + name(timer.watched) +

@@ -59,7 +59,7 @@ struct LocationAutomatonCheck {
     bool situation(const std::vector<Id<LocationAutomaton::Step>>& situation) {
         const bool known = std::ranges::all_of(
             situation, [&](Id<LocationAutomaton::Step> step) { return automaton.steps.contains(step); });
-        if (!known) fault("a situation has a step that does not exist");
+        if (!known) fault("a situation refers to a step that does not exist");
         if (std::ranges::adjacent_find(situation, std::greater_equal{}) != situation.end())
             fault("the steps of a situation are not in increasing order");
         return known;
@@ -90,7 +90,7 @@ struct LocationAutomatonCheck {
             fault("the evolutions are not ordered by `from`");
         for (const LocationAutomaton::Evolution& evolution : automaton.evolutions) {
             if (!automaton.locations.contains(evolution.from) || !automaton.locations.contains(evolution.to))
-                fault("an evolution has a location that does not exist");
+                fault("an evolution refers to a location that does not exist");
             if (evolution.to == automaton.init) fault("an evolution leads to INIT");
             condition(evolution.condition, "the condition of an evolution");
             for (const Id<LocationAutomaton::Input> timer : evolution.restarted)
@@ -98,7 +98,7 @@ struct LocationAutomatonCheck {
                     fault("an evolution restarts something other than a timer");
             for (const Id<LocationAutomaton::Input> timer : evolution.falling)
                 if (!automaton.inputs.contains(timer) || automaton.inputs[timer].fall_ms <= 0)
-                    fault("an evolution starts a fall time that does not exist");
+                    fault("an evolution starts the fall time of an input that is not a timer with a fall time");
         }
     }
 
@@ -107,7 +107,7 @@ struct LocationAutomatonCheck {
             fault("the instabilities are not ordered by `from`");
         for (const LocationAutomaton::Instability& instability : automaton.instabilities) {
             if (!automaton.locations.contains(instability.from))
-                fault("an instability has a location that does not exist");
+                fault("an instability refers to a location that does not exist");
             condition(instability.condition, "the condition of an instability");
             if (instability.witness.size() != automaton.inputs.size())
                 fault("a witness of instability does not have exactly one value per input");

@@ -52,8 +52,9 @@ struct MealyCheck {
             fault("the transitions are not ordered by `from`");
         for (const Transition& transition : machine.transitions) {
             if (!machine.states.contains(transition.from) || !machine.states.contains(transition.to))
-                fault("a transition has a state that does not exist");
-            if (!machine.answers.contains(transition.answer)) fault("a transition has output values that do not exist");
+                fault("a transition refers to a state that does not exist");
+            if (!machine.answers.contains(transition.answer))
+                fault("a transition refers to output values that do not exist");
             if (transition.wait_ms < 0) fault("a transition waits for a negative time");
             condition(transition.condition);
         }
@@ -61,12 +62,12 @@ struct MealyCheck {
             fault("the unstable inputs are not ordered by `from`");
         for (const MealyMachine::Unstable& unstable : machine.unstable) {
             if (!machine.states.contains(unstable.from))
-                fault("an entry of unstable inputs has a state that does not exist");
+                fault("an entry of unstable inputs refers to a state that does not exist");
             condition(unstable.condition);
         }
         for (const MealyMachine::Activation& activation : machine.activation) {
             if (!machine.answers.contains(activation.answer))
-                fault("the activation has output values that do not exist");
+                fault("the activation refers to output values that do not exist");
             condition(activation.condition);
         }
     }
