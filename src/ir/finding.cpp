@@ -97,7 +97,7 @@ std::vector<std::string> verify(const Analysis& analysis) {
         if (std::ranges::find(kinds, finding.code, &FindingKind::code) == kinds.end())
             faults.push_back("there is no code `" + finding.code + "`");
         if (finding.accepted && finding.accepted->empty())
-            faults.push_back("`" + finding.code + "` is accepted without a reason");
+            faults.push_back("`" + finding.code + "` is accepted, but the reason is missing");
         if (!finding.evidence) continue;
         for (const std::string& fault : verify(*finding.evidence))
             faults.push_back("evidence of `" + finding.code + "`: " + fault);

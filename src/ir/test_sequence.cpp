@@ -43,7 +43,7 @@ struct TestSequenceCheck {
         for (const Step& now : sequence.steps) {
             step(now);
             if (before != nullptr && now.wait_ms != 0 && now.inputs != before->inputs)
-                fault("a step that waits changes an input");
+                fault("a test step both waits and changes an input");
             before = &now;
         }
     }

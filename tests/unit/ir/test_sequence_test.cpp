@@ -46,7 +46,7 @@ TEST(TestSequence, IsATableOfStepsAsCsv) {
 TEST(TestSequence, AStepThatWaitsChangesNoInput) {
     TestSequence test = lamp();
     test.sequences[0].steps[1].inputs = {0};
-    EXPECT_EQ(verify(test), std::vector<std::string>{"a step that waits changes an input"});
+    EXPECT_EQ(verify(test), std::vector<std::string>{"a test step both waits and changes an input"});
 }
 
 TEST(TestSequence, ALengthIsProvenLeastByItsBoundOnly) {
