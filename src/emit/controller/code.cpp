@@ -168,7 +168,7 @@ private:
         cycle();
         if (searches()) end_search();
         write_outputs();
-        if (!times_.empty()) heading("each timer starts and stops with its observed term");
+        if (!times_.empty()) heading("each timer is called with the current value of its input");
         for (std::size_t k = 0; k < times_.size(); ++k) call_timers(k);
     }
 

@@ -123,7 +123,7 @@ std::string observation_text(const Network& network, const Names& names, Id<Netw
             text += (k == 0 ? " " : ", ") + std::to_string(k) + " " + locations[k];
         return text;
     }
-    return "0: the loop moves; k: observer k reads the state";
+    return "0: edges of the loop can be taken; k: observer k reads the state";
 }
 
 void write_variable(std::ostream& out, const Network& network, const Names& names, Id<Network::Variable> id) {

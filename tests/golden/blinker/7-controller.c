@@ -89,7 +89,7 @@ void blinker_scan(blinker_state *self, const blinker_inputs *in, uint32_t elapse
         /* outputs */
         self->LAMP = self->X_1;
     }
-    /* each timer starts and stops with its observed term */
+    /* each timer is called with the current value of its input */
     blinker_ton(&self->T_X1_2s, self->X_1, 2000U);
     blinker_ton(&self->T_X2_1s, self->X_2, 1000U);
 }

@@ -125,7 +125,7 @@ void oven_door_scan(oven_door_state *self, const oven_door_inputs *in, uint32_t 
         self->OPEN = self->X_20;
         self->LOCK = self->M_LOCK;
     }
-    /* each timer starts and stops with its observed term */
+    /* each timer is called with the current value of its input */
     oven_door_ton(&self->T_X40_5s, self->X_40, 5000U);
     oven_door_ton(&self->T_X42_5s, self->X_42, 5000U);
 }
