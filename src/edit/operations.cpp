@@ -159,7 +159,8 @@ void Planner::add_jump(const Operation& operation) {
             return;
         }
         if (transition.to.size() > 1) {
-            obstacle_ = fmt::format("{} leads to several steps; edit the text", connections_.title(transition));
+            obstacle_ = fmt::format("{} leads to several steps, so its target cannot be replaced here; edit the text",
+                                    connections_.title(transition));
             return;
         }
         add(connections_.replaced_all(transition, End::To, name));

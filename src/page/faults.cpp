@@ -102,7 +102,7 @@ void add_row(const PageContent& content, const FaultAnalysis::Row& row, Html& ht
                    html);
     add_formula(content, content.loop, row.property, html);
     if (!row.declared && row.without_faults != Outcome::Unknown)
-        html.put("p", "The model does not declare this property, or it was not selected; it is always checked.");
+        html.put("p", "This property is always checked, even if the model does not declare it or it is not selected.");
     if (row.without_faults != Outcome::Holds)
         html.put("p", "The analysis considers only properties that hold without faults.");
     if (!row.minimal.empty()) {

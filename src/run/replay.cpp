@@ -160,7 +160,7 @@ private:
         if (result.race) racing_ = chart_.variables[result.race->variable].name;
         if (over_ || (!broken && !act.race.value_or(false))) return {};
         if (result.race) return "no race, but according to the rules two actions race for " + racing_;
-        return broken ? "according to the rules, the evolution has no result"
+        return broken ? "no model error, but according to the rules a model error ends the evolution"
                       : "two actions race, but according to the rules there is no race";
     }
 

@@ -382,7 +382,7 @@ std::string LoopSimulation::force(std::string_view step, bool active) {
     const std::optional<WhatIfRun> trial = what_if_of(recorded_run_, step, active, problem);
     if (!trial) return problem;
     if (charts_[trial->controller.index]->program)
-        return "a step of a PLC program cannot be forced; set an input or let an instance move";
+        return "a step of a PLC program cannot be forced; set an input, or take an edge of an instance with `do`";
     const Network::Controller& controller = network_.controllers[{trial->controller.index}];
     if (state_.locations[controller.process.index] != controller.waiting)
         return "a step cannot be forced during a PLC cycle; force it between two cycles";

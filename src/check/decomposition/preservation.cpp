@@ -63,7 +63,7 @@ std::string untimed_preservation_obstacle(const Verdict& verdict, bool at_stable
 std::string untimed_because(const Verdict& verdict, bool at_stable) {
     if (at_stable) return "shares nothing with the checked sub-loops and has a quiescent state";
     if (preservation_class_of(verdict) == PreservationClass::Unavoidable)
-        return "shares nothing with the checked sub-loops and cannot move forever";
+        return "shares nothing with the checked sub-loops and makes only finitely many moves";
     return "shares nothing with the checked sub-loops";
 }
 

@@ -186,7 +186,7 @@ private:
         const PortfolioResult result = check_together(system.system, options);
         analysis_.failures = result.failures;
         if (result.fault)
-            analysis_.failures.push_back(fmt::format("the system of the program is ill-defined: {} {}",
+            analysis_.failures.push_back(fmt::format("the transition system of the program is invalid: {} {}",
                                                      word(result.fault->kind), result.fault->variable));
         const std::size_t first = system.no_fault.valid() ? 1 : 0;
         for (std::size_t k = first; k < result.verdicts.size(); ++k) {

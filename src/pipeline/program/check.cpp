@@ -64,7 +64,7 @@ public:
                                                         : "any number of scans";
         report_.failures = std::move(result.failures);
         if (result.fault)
-            report_.failures.push_back(fmt::format("the system of the program is ill-defined: {} {}",
+            report_.failures.push_back(fmt::format("the transition system of the program is invalid: {} {}",
                                                    word(result.fault->kind), result.fault->variable));
         Outcome no_fault = Outcome::Holds;
         const std::size_t first = system_.no_fault.valid() ? 1 : 0;

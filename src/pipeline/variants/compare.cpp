@@ -377,8 +377,8 @@ private:
         if (!last) {
             result_.outcome = Comparison::Outcome::Unknown;
             result_.reason = sides_[0].is_program() || sides_[1].is_program()
-                                 ? "internal error: the interpreters do not confirm the difference"
-                                 : "internal error: the rules of IEC 60848 do not confirm the difference";
+                                 ? "internal error: the replay by the interpreters does not show the difference"
+                                 : "internal error: the replay according to IEC 60848 does not show the difference";
             result_.failures.emplace_back(result_.reason);
             return;
         }

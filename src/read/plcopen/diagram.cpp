@@ -358,7 +358,7 @@ private:
             }
             if (signature != signatures.end() && !of_project &&
                 (index >= 3 || st::capitals(formal) != signature->inputs[index]))
-                return unsupported(node, "a function input with this name");
+                return unsupported(node, "the input `" + formal + "` of the function `" + type + "`");
             ++index;
             const Id<st::Expr> one = pin(each, depth);
             if (!one.valid()) return {};

@@ -313,7 +313,7 @@ TEST(EditOperations, CommentsInListsAreKept) {
         .expect("0 -> 1, // one\n    2 when A;\n",
                 "0 -> 3 when A;\n  transition t2: 3 -> 1, // one\n    2 when true;\n");
     EXPECT_EQ(after.obstacle(OperationKind::Jump, "transition t2", "", "step 1"),
-              "transition `t2` leads to several steps; edit the text");
+              "transition `t2` leads to several steps, so its target cannot be replaced here; edit the text");
 }
 
 TEST(EditOperations, RepeatedDeclarationsAreEditedAsText) {
