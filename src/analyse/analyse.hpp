@@ -64,7 +64,7 @@ struct AnalyseOptions {
     std::function<void(const Finding&)> found = {};
     std::function<void(const AnalyseProgress&)> progress = {};  ///< called periodically
 
-    /// Work on each part in the first round, in steps of decision diagram operations.
+    /// Maximum work on each part of the chart in the first round: a number of operation steps (BddSpace::work).
     std::uint64_t first_slice = 50'000'000;
 };
 

@@ -33,8 +33,9 @@ public:
     Bdd from(const Bdd& points) const { return rings_from(points).back(); }
     /// Returns the points from which `points` is reachable, including `points`.
     Bdd to(const Bdd& points) const;
-    /// Returns at most `most` terminal regions that runs from `among` can enter. Requires that no run leaves `among`.
-    /// If the result has fewer than `most` regions, it contains all terminal regions.
+    /// Returns terminal regions that a run from a point in `among` can enter. The maximum number of regions in the
+    /// result is `most`; if the result has fewer regions, it contains all such regions. Requires that no run leaves
+    /// `among`.
     std::vector<Bdd> regions(Bdd among, std::size_t most) const;
     /// Returns the points in `within` from which some run stays in `within` and visits `often` infinitely often.
     /// Requires that no run that leaves `within` enters it again.

@@ -12,7 +12,8 @@
 
 namespace grafverif::app {
 
-/// Returns `run` as the files of --trace-vcd and --trace-svg, if requested.
+/// Returns the files that --trace-vcd and --trace-svg request, with `run` as their content. The result is empty if
+/// neither option is given.
 std::vector<OutputFile> trace_files(const ChartRun& run, std::string_view title, const Options& options);
 
 }  // namespace grafverif::app

@@ -328,8 +328,8 @@ void add_transitions(const Declared& declared, const std::vector<Id<Expr>>& guar
     list.push_back(implies(exprs, exprs.conjunction(turn, stays), idle));
 }
 
-/// Returns one movement for each location with an invariant. An automaton stays in a location with an invariant only
-/// for a bounded time.
+/// Returns one Movement for each location with an invariant: the movement is in progress while the automaton is in this
+/// location, and terminates because the invariant bounds the time in the location.
 std::vector<Movement> movements(const Declared& declared) {
     Draft& draft = declared.draft;
     std::vector<Movement> found;

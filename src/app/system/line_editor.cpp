@@ -125,7 +125,7 @@ LineEditor::~LineEditor() {
 
 std::optional<std::string> LineEditor::line() {
     std::fflush(stdout);
-    // Prepares the terminal before the prompt is shown, so that input that is already available is also edited.
+    // Prepares the terminal before the prompt is shown, so that keys pressed before the prompt are edited as well.
     el_set(parts_->editor, EL_PREP_TERM, 1);
     int count = 0;
     const char* const read = el_gets(parts_->editor, &count);

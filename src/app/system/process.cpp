@@ -51,7 +51,8 @@ struct Stream {
     Descriptor from = Descriptor();
     std::string text = {};
 
-    /// Reads available data, and stops when slightly more than `most` bytes are stored.
+    /// Reads the available data, but stops as soon as `text` has more than `most` bytes. Each read adds at most 64 KiB,
+    /// so `text` has at most `most` bytes plus 64 KiB.
     void take(std::size_t most) {
         std::array<char, 65536> buffer = {};
         while (from.open() && text.size() <= most) {

@@ -47,7 +47,7 @@ public:
     std::optional<bool> proves(const Property& property, const FollowLimits& limits);
     /// Returns the moves of the homing sequence of the last proof (RequiredStates::sequence).
     const std::vector<std::string>& sequence() const;
-    /// Returns the number of states that all calls explored.
+    /// Returns the total number of states explored in all calls of `proves`.
     std::size_t states() const;
 
 private:

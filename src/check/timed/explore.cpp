@@ -61,7 +61,8 @@ constexpr std::uint32_t slices_each = 64;      // number of slices (groups of co
 constexpr std::size_t many_text = 1U << 21U;   // a block ends when the computed successors have this number of words
 constexpr std::size_t kept_bytes = 1U << 21U;  // maximum memory, in bytes, that a slice keeps for reuse
 
-// Minimum amount of work, in slices of states or new states, that is performed in parallel.
+// Work is performed in parallel if it processes at least as many states, or new states, as this number of slices can
+// contain.
 constexpr std::size_t worth_sharing = 16;
 constexpr std::size_t link_bytes = 24;  // maximum number of bytes of links per state; links are dropped if they need
                                         // more
@@ -152,8 +153,8 @@ private:
         return begun;
     }
 
-    /// Stores the new states of all slices in `new_states_`, where equal states share one entry, and reserves memory for
-    /// the new states.
+    /// Stores the new states of all slices in `new_states_`, where equal states share one entry, and reserves memory
+    /// for the new states.
     void gather() {
         std::size_t count = 0;
         for (std::size_t i = 0; i < filled_; ++i) {

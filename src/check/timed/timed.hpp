@@ -132,8 +132,8 @@ struct Premises {
 struct AbstractState {
     Move move = {};
     NetworkState state = {};
-    /// For each choice: a bit for each possible valuation. The value is 0 if `move` is not an edge of the PLC that
-    /// makes the choice.
+    /// For each choice: a bit for each possible valuation. Each choice is made by one PLC; its bits are 0 if `move` is
+    /// not an edge of this PLC.
     std::vector<std::uint64_t> possible = {};
 };
 

@@ -60,8 +60,8 @@ private:
         }
     }
 
-    /// Chooses which running delays have elapsed at the next instant, from index `k` on. `caused` is true if an elapsed
-    /// delay was already chosen.
+    /// Chooses which running delays have elapsed at the next instant, from index `k` on. `caused` is true if one of the
+    /// delays before index `k` was chosen as elapsed, so that the instant has a cause.
     void choose_elapsed(std::size_t k, const Zone& zone, bool caused) {
         if (check_.limit_ != Limit::None) return;
         if (k == running_.size()) return choose_inputs(0, zone, caused);

@@ -247,7 +247,7 @@ private:
         if (!commented) {
             const auto line = step_in_one_line(file_, step, page_.column());
             if (line) return page_.line(*line);
-            // Without comments inside, a comment after the step applies to the complete step.
+            // The step contains no comment, so a comment after the step applies to the complete step.
             return block(head, step.actions, step.where, limit_);
         }
         block(head, step.actions, step.where);

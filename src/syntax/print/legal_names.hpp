@@ -16,10 +16,10 @@
 
 namespace grafverif {
 
-/// A target language. UppaalLocal: names of UPPAAL that cannot occur in queries, such as parameters of a template;
-/// these names may be keywords of queries. StructuredText: identifiers of IEC 61131-3, which are case-insensitive and
-/// have no double or trailing `_`. C: identifiers without double or trailing `_` that are not keywords of C or C++, for
-/// members of structs.
+/// A target language. UppaalLocal: names in a UPPAAL template to which queries cannot refer, such as parameters;
+/// therefore, keywords of the query language are allowed as names. StructuredText: identifiers of IEC 61131-3, which
+/// are case-insensitive and have no double or trailing `_`. C: identifiers without double or trailing `_` that are not
+/// keywords of C or C++, for members of structs.
 enum class Target { Uppaal, UppaalLocal, Nusmv, StructuredText, C };
 
 /// True if the target language reserves `name` as a keyword, as a built-in function or constant, or as an operator of

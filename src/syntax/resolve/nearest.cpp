@@ -67,7 +67,7 @@ void Nearest::offer(char prefix, std::string_view candidate) {
 }
 
 void Nearest::offer(std::string_view candidate) {
-    // If the best candidate differs only in case, no other candidate is nearer.
+    // At the distance 1, the best candidate differs from the name only in case; this is the minimum distance.
     if (distance_ == 1 || candidate == name_) return;
     const std::size_t bound = (distance_ + 1) / 2;
     if (std::max(name_.size(), candidate.size()) - std::min(name_.size(), candidate.size()) >= bound) return;

@@ -235,7 +235,7 @@ bool Lexer::nests_too_deep(Kind kind) {
     return true;
 }
 
-/// Returns an error token after nesting that is too deep. The lexer ignores the remaining text.
+/// Returns an error token. Called if the nesting exceeds its limit; the lexer then ignores the remaining text.
 Token Lexer::failed() {
     too_deep_ = true;
     return Parser::make_YYerror(here_);
