@@ -219,8 +219,7 @@ std::string check(const std::filesystem::path& folder, const std::string& prefix
     }
     for (const auto& [error, count] : errors)
         if (count == graphs) reject("a model error is possible: " + error);
-    for (const std::string& name : open)
-        result += prefix + name + ": not certified: the certificate contains no verdict\n";
+    for (const std::string& name : open) result += prefix + name + ": not certified: the file has no verdict\n";
     return prefix + "network " + checksum(model) + ": " + std::to_string(states) + " states\n" + result;
 }
 

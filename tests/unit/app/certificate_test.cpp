@@ -178,7 +178,7 @@ TEST(Certify, AcceptsAShownRunAndRejectsAFalseClaim) {
     const Folder folder;
     const Certified shown = certify(write_certificate(folder, lamp, "holds lit\n1 1\nend\n"));
     EXPECT_EQ(shown.code, 0) << shown.out;
-    EXPECT_NE(shown.out.find("lit: holds, shown by a run\ndark: not certified: the certificate contains no verdict\n"),
+    EXPECT_NE(shown.out.find("lit: holds, shown by a run\ndark: not certified: the file has no verdict\n"),
               std::string::npos);
     const Certified not_shown = certify(write_certificate(folder, lamp, "holds lit\n0 0\nend\n"));
     EXPECT_EQ(not_shown.code, 1);
@@ -225,7 +225,7 @@ TEST(Certify, NamesTheFolderOfAProperty) {
     EXPECT_EQ(found.code, 0);
     EXPECT_NE(
         found.out.find(
-            "\ndark/dark: holds, proved by the states\ndark: not certified: the certificate contains no verdict\n"),
+            "\ndark/dark: holds, proved by the states\ndark: not certified: the file has no verdict\n"),
         std::string::npos)
         << found.out;
 }
