@@ -111,9 +111,9 @@ struct AbstractableProcess {
 };
 
 /// Returns the processes that can be abstracted. `Chosen` is available for an instance if no other process writes its
-/// outputs, it has at most 32 valuations, and no edge of the instance can have a model error. The result is empty if a controller has a task
-/// cycle, because the abstraction assumes that a change of an input requests a scan. Requires that `network` is
-/// expanded and has no observers.
+/// outputs, it has at most 32 valuations, and no edge of the instance can have a model error. The result is empty if a
+/// controller has a task cycle, because the abstraction assumes that a change of an input requests a scan. Requires that
+/// `network` is expanded and has no observers.
 std::vector<AbstractableProcess> abstractable_processes(const Network& network, const InputAblations& ablations = {});
 
 /// Returns the least precise level that is more precise than `level` and available for the process. From least to most

@@ -179,7 +179,8 @@ struct Compared {
         const std::string name = possible ? "always possible" : "leads to";
         ++seen[name];
         ++seen["verdicts on " + here.property];
-        if (std::ranges::any_of(here.notes, [](const std::string& note) { return note.starts_with("from every state"); }))
+        if (std::ranges::any_of(here.notes,
+                                [](const std::string& note) { return note.starts_with("from every state"); }))
             ++seen["with a homing sequence"];
         for (const std::int64_t factor : {1, 2, 3, 5}) {
             const TimedResult finer = check_timed(refined(network, factor),

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "check/inputs/found_states.hpp"
+
 namespace grafverif {
 
 using timed::Word;
@@ -76,7 +78,7 @@ std::uint32_t AbstractStates::successor(std::size_t move) {
 bool AbstractStates::is_supported() const {
     if (moves_.fault || moves_.cut) return false;
     const timed::Layout& layout = machine_->layout();
-    if (network_.race.valid() && layout.variables[network_.race.index].get(now_.data()) != 0) return false;
+    if (has_race(*machine_, now_.data())) return false;
     return std::ranges::all_of(network_.controllers, [&](const Network::Controller& controller) {
         if (layout.locations[controller.process.index].get(now_.data()) == controller.waiting.index) return true;
         return std::ranges::any_of(moves_.edges, [&](std::uint32_t edge) {

@@ -143,7 +143,7 @@ private:
     /// True if no urgent edge is enabled in the state `now_`, whose moves are `moves_`, and no process is in a location
     /// with an invariant. Then time can pass forever: urgent edges have no clock constraints.
     bool may_rest() const {
-        if (moves_.urgent) return false;
+        if (moves_.urgent || moves_.fault) return false;
         for (std::size_t process = 0; process < is_bounded_.size(); ++process) {
             const auto location = machine_.layout().locations[process].get(now_.data());
             if (is_bounded_[process][static_cast<std::size_t>(location)]) return false;
@@ -173,6 +173,7 @@ private:
 
     void expand(std::size_t state) {
         states_.load(state, now_);
+        if (has_race(machine_, now_.data())) return;
         machine_.expand(now_.data(), moves_);
         for (std::size_t i = 0; i < moves_.edges.size(); ++i) {
             const Fire fire{machine_.process_of(moves_.edges[i]), machine_.edge_of(moves_.edges[i])};

@@ -160,7 +160,7 @@ private:
 
     /// Executes the assignments of the edge from number `first` on, and appends the results to `successors`. A value
     /// that depends on another process may be any value of its interval. Returns false if a value may be out of range,
-    /// undefined, or one of too many values.
+    /// undefined, or one of too many values, or if there are too many results.
     bool assign(const Network::Edge& edge, std::size_t first, State state, const Columns& columns,
                 const std::vector<Id<Network::Variable>>& outputs, std::vector<State>& successors) const {
         for (std::size_t i = first; i < edge.assignments.size(); ++i) {
@@ -182,7 +182,7 @@ private:
             return true;
         }
         successors.push_back(std::move(state));
-        return true;
+        return successors.size() <= most_states;
     }
 
     /// Enumerates the reachable combinations of locations and outputs for arbitrary values of other variables and

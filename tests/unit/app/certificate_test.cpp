@@ -224,8 +224,7 @@ TEST(Certify, NamesTheFolderOfAProperty) {
     const Certified found = certify(write_certificate(folder, lamp, "also dark\n"));
     EXPECT_EQ(found.code, 0);
     EXPECT_NE(
-        found.out.find(
-            "\ndark/dark: holds, proved by the states\ndark: not certified: the file has no verdict\n"),
+        found.out.find("\ndark/dark: holds, proved by the states\ndark: not certified: the file has no verdict\n"),
         std::string::npos)
         << found.out;
 }

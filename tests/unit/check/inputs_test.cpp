@@ -349,6 +349,30 @@ TEST(InputAbstraction, ChoosesValuesThatDependOnOtherProcesses) {
         << "without the premise that all values are possible, the verdict is wrong";
 }
 
+TEST(InputAbstraction, ExploresNoInstanceThatCopiesTooManyValues) {
+    std::string ports, copies, inputs, buttons, bound;
+    for (int k = 0; k < 40; ++k) {
+        const std::string n = std::to_string(k), comma = k == 0 ? "" : ", ";
+        ports += comma + "I" + n;
+        inputs += comma + "O" + n;
+        copies += comma + "O" + n + " := I" + n;
+        bound += "I" + n + " = B" + n + ", O" + n + " = O" + n + (k == 39 ? "" : ", ");
+        buttons += "environment E" + n + " = free(OUT = B" + n + ");\n";
+    }
+    const Network network =
+        expand(read_loop("component latch(input " + ports + "; output " + inputs +
+                         ") { clock t; initial location any; timed any -> any when t >= 1s do " + copies +
+                         ", t := 0; }\n"
+                         "grafcet c { input " +
+                         inputs +
+                         "; output Q; initial step 0; step 1 { Q; } transition t0: 0 -> 1 when O0 "
+                         "&& O39; }\n"
+                         "closed_loop l { controller c; plant Latch = latch(" +
+                         bound + ");\n" + buttons + "}\n")
+                   .network);
+    EXPECT_EQ(named(network, "Latch").valuations.size(), 4U) << "the PLC reads two outputs";
+}
+
 TEST(InputAbstraction, ChoosesOnlyOutputsThatOtherProcessesRead) {
     // The variables of the belt have more than 4096 valuations.
     const auto belt = [](const std::string& last) {

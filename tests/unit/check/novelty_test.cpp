@@ -89,6 +89,21 @@ TEST(Novelty, AwaitsNoResponseThatHasOccurred) {
     EXPECT_FALSE(loop.search.run_of(0));
 }
 
+TEST(Novelty, EndsEachRunWithARaceOfStoredActions) {
+    const auto text = [](const std::string& property) {
+        return "grafcet c { input B; internal C: int 0..2 = 0; initial step 0; step 1 { C := 1 on activation; }\n"
+               "initial step 10; step 11 { C := 2 on activation; } step 12;\n"
+               "transition a: 0 -> 1 when B; transition b: 10 -> 11 when B; transition d: 11 -> 12 when X1; }\n"
+               "closed_loop l { controller c; environment E = push_button(OUT = B); property p: " +
+               property + "; }\n";
+    };
+    for (const std::string property : {"never c.X12", "reachable c.X12", "c.X11 leads to c.X0"}) {
+        Searched loop(text(property));
+        EXPECT_FALSE(loop.search.run({.states = 100'000})) << "all states";
+        EXPECT_FALSE(loop.search.run_of(0)) << property;
+    }
+}
+
 TEST(Novelty, EndsWithItsMemory) {
     Searched loop(chain(8, "never X8"));
     EXPECT_FALSE(loop.search.run({.states = 1'000'000, .bytes = 100'000}));
