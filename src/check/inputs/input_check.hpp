@@ -179,7 +179,7 @@ private:
     const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
     std::optional<bool> evolutions_end_ = {};  // result of the function evolutions_end; empty if not computed yet
     bool errors_are_excluded_ = false;         // true if a complete search of an abstraction found no model error
-    bool was_excluded_ = false;                // true if evolutions_end_ was computed without regard to model errors
+    bool errors_were_ignored_ = false;         // true if evolutions_end_ was computed with `errors_are_excluded`
     std::optional<bool> takes_time_ = {};      // result of the function takes_time; empty if not computed yet
     std::uint64_t round_ = 0;                  // bound of the searches of the current round
     Deadline deadline_ = {};

@@ -69,13 +69,12 @@ void InputAbstractionCheck::collect() {
 /// Searches the complete loop for runs that decide a property. Returns false if the next round would find no further
 /// run. The function does not search a loop with observers, because observers multiply the number of states.
 bool InputAbstractionCheck::explore() {
-    const auto is_response = [&](std::size_t k) { return is_liveness(single(k).pattern); };
-    std::vector<std::size_t> open;
-    std::ranges::copy_if(explored_, std::back_inserter(open), [&](std::size_t k) { return is_open(k); });
+    const auto is_open_state_property = [&](std::size_t k) { return is_open(k) && !is_liveness(single(k).pattern); };
     // A response that holds is usually proved by a search with fewer states, which follows in the same round.
-    const std::uint64_t share = std::ranges::all_of(open, is_response) ? 4 : 1;
+    const std::uint64_t share = std::ranges::any_of(explored_, is_open_state_property) ? 1 : 4;
     const std::uint64_t states = std::min(round_ / share, limits_.explored);
-    const bool looks = !has_observer() && states > 0 && !open.empty();
+    const bool looks =
+        !has_observer() && states > 0 && std::ranges::any_of(explored_, [&](std::size_t k) { return is_open(k); });
     if (looks && search_for_runs(states) && states < limits_.explored) return true;
     explored_.clear();
     novelty_.reset();

@@ -62,8 +62,8 @@ bool InputAbstractionCheck::proves_evolutions() {
             errors_are_excluded);
     };
     if (!evolutions_end_) evolutions_end_ = end(false);
-    if (evolutions_end_ == false && !was_excluded_ && excludes_errors()) {
-        was_excluded_ = true;
+    if (evolutions_end_ == false && !errors_were_ignored_ && excludes_errors()) {
+        errors_were_ignored_ = true;
         evolutions_end_ = end(true);
     }
     return evolutions_end_.value_or(false);
