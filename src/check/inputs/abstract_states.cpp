@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "check/inputs/found_states.hpp"
-
 namespace grafverif {
 
 using timed::Word;
@@ -78,7 +76,7 @@ std::uint32_t AbstractStates::successor(std::size_t move) {
 bool AbstractStates::is_supported() const {
     if (moves_.fault || moves_.cut) return false;
     const timed::Layout& layout = machine_->layout();
-    if (has_race(*machine_, now_.data())) return false;
+    if (machine_->has_race(now_.data())) return false;
     return std::ranges::all_of(network_.controllers, [&](const Network::Controller& controller) {
         if (layout.locations[controller.process.index].get(now_.data()) == controller.waiting.index) return true;
         return std::ranges::any_of(moves_.edges, [&](std::uint32_t edge) {

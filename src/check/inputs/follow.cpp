@@ -187,7 +187,7 @@ private:
     void expand(std::size_t node) {
         const std::size_t stage = states_.mark(node);
         states_.load(node, now_);
-        if (has_race(machine_, now_.data())) return;
+        if (machine_.has_race(now_.data())) return;
         machine_.expand(now_.data(), moves_);
         const bool urgent = moves_.urgent;
         for (std::size_t i = 0; i < moves_.edges.size() && !shown_; ++i) {

@@ -8,17 +8,10 @@
 #include <vector>
 
 #include "check/timed/layout.hpp"
-#include "check/timed/machine.hpp"
 #include "check/timed/store/packed_states.hpp"
 #include "grafverif/ir/verdict.hpp"
 
 namespace grafverif {
-
-/// True if two stored actions have assigned different values to a variable: a model error, with which a run ends.
-inline bool has_race(const timed::Machine& machine, const timed::Word* words) {
-    const Id<Network::Variable> race = machine.network().race;
-    return race.valid() && machine.layout().variables[race.index].get(words) != 0;
-}
 
 class FoundStates {
 public:

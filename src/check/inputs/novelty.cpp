@@ -173,7 +173,7 @@ private:
 
     void expand(std::size_t state) {
         states_.load(state, now_);
-        if (has_race(machine_, now_.data())) return;
+        if (machine_.has_race(now_.data())) return;
         machine_.expand(now_.data(), moves_);
         for (std::size_t i = 0; i < moves_.edges.size(); ++i) {
             const Fire fire{machine_.process_of(moves_.edges[i]), machine_.edge_of(moves_.edges[i])};

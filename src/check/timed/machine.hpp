@@ -80,6 +80,10 @@ public:
     /// Lets one unit of time pass in the state `words`; urgent edges are ignored. Returns false if an invariant forbids
     /// the delay.
     bool delay(Word* words) const;
+    /// True if two stored actions have assigned different values to a variable: a model error, with which a run ends.
+    bool has_race(const Word* words) const {
+        return network().race.valid() && layout().variables[network().race.index].get(words) != 0;
+    }
     /// Evaluates the compiled predicate that begins at instruction `predicate`. Returns NoValue if its value is
     /// undefined.
     End holds(std::uint32_t predicate, const Word* words, std::vector<std::int64_t>& registers) const;
