@@ -8,6 +8,7 @@
 
 #include "check/timed/machine.hpp"
 #include "ir/junction.hpp"
+#include "ir/network_run.hpp"
 #include "ir/slots.hpp"
 
 namespace grafverif {
@@ -95,11 +96,18 @@ public:
             states_.insert(std::move(made));
         }
         is_incomplete_ = other.is_incomplete_;
+        given_values_.clear();
+        closed_by_ = Closed::No;
     }
 
     /// Sets the values of the variables of other processes.
     void give(const std::vector<std::int64_t>& variables) {
         move();
+        std::vector<std::int64_t> values;
+        for (const Id<Network::Variable> variable : given_) values.push_back(variables[variable.index]);
+        if (values == given_values_) return;
+        given_values_ = std::move(values);
+        closed_by_ = Closed::No;
         States given;
         for (std::vector<Word> words : states_) {
             for (const Id<Network::Variable> variable : given_)
@@ -118,6 +126,7 @@ public:
                 if (delay(words)) later.insert(std::move(words));
             if (later == states_) return;
             states_ = std::move(later);
+            closed_by_ = Closed::No;
         }
     }
 
@@ -134,7 +143,7 @@ public:
     /// Keeps only states in which the member has one of the valuations in `possible`.
     void keep(std::size_t member, Word possible) {
         const AbstractableProcess& process = *members_[member];
-        std::erase_if(states_, [&](const std::vector<Word>& words) {
+        erase_if([&](const std::vector<Word>& words) {
             std::vector<std::int64_t> values;
             for (const Id<Network::Variable> output : process.read_outputs)
                 values.push_back(machine_.layout().variables[output.index].get(words.data()));
@@ -147,7 +156,7 @@ public:
     void match(std::size_t member, const NetworkState& state) {
         move();
         const AbstractableProcess& process = *members_[member];
-        std::erase_if(states_, [&](const std::vector<Word>& words) {
+        erase_if([&](const std::vector<Word>& words) {
             const auto differs = [&](Id<Network::Variable> output) {
                 return machine_.layout().variables[output.index].get(words.data()) != state.variables[output.index];
             };
@@ -163,6 +172,13 @@ public:
 
 private:
     using States = std::set<std::vector<Word>>;
+    /// The moves under which the set of states is closed.
+    enum class Closed : std::uint8_t { No, Edges, EdgesAndDelays };
+
+    template <class Predicate>
+    void erase_if(const Predicate& predicate) {
+        if (std::erase_if(states_, predicate) != 0) closed_by_ = Closed::No;
+    }
 
     static Network only(const Network& complete, const std::vector<Member>& members, std::int64_t unit,
                         const std::set<Id<Network::Variable>>& known) {
@@ -229,6 +245,8 @@ private:
 
     /// Adds all states that are reachable by edges and, if `waits` is true, by delays.
     void close(bool waits) {
+        const Closed wanted = waits ? Closed::EdgesAndDelays : Closed::Edges;
+        if (closed_by_ >= wanted) return;
         std::vector<std::vector<Word>> open(states_.begin(), states_.end());
         const auto add = [&](std::vector<Word> words) {
             if (states_.insert(words).second) open.push_back(std::move(words));
@@ -246,6 +264,7 @@ private:
             }
             if (waits && !moves_.urgent && machine_.delay(now.data())) add(std::move(now));
         }
+        closed_by_ = wanted;
     }
 
     const Network network_;
@@ -256,6 +275,8 @@ private:
     const FollowLimits& limits_;
     const std::size_t most_states_;
     States states_ = {};
+    Closed closed_by_ = Closed::No;
+    std::vector<std::int64_t> given_values_ = {};  // values of the variables `given_` in all states; empty if unknown
     bool is_incomplete_ = false;
     std::size_t polls_ = 1;
 };
@@ -278,6 +299,20 @@ bool is_stable(const AbstractRun& run, const NetworkState& state) {
         return state.locations[controller.process.index] == controller.waiting &&
                state.variables[controller.stable.index] != 0;
     });
+}
+
+/// True if every PLC is in a stable situation and no process has an enabled urgent edge, so that time may pass.
+bool may_wait(const AbstractRun& run, const NetworkState& state) {
+    if (!is_stable(run, state)) return false;
+    for (const Id<Network::Process> id : run.network.processes.ids()) {
+        const Network::Process& process = run.network.processes[id];
+        if (process.kind == Network::ProcessKind::Controller) continue;
+        for (const Network::Edge& edge : run.network.templates[process.automaton].edges)
+            if (edge.urgent && edge.from == state.locations[id.index] &&
+                value(run.network, state, edge.guard).value_or(0) != 0)
+                return false;
+    }
+    return true;
 }
 
 /// Executes processes along an abstract run (see `impossible`).
@@ -355,7 +390,7 @@ private:
                 for (std::size_t m = 0; samples && m < group_.size(); ++m)
                     if (is_chosen(m)) processes.show(m, next->possible[group_[m]]);
                 processes.give(state.variables);
-                if (waits_ && is_stable(abstract_, state)) {
+                if (waits_ && may_wait(abstract_, state)) {
                     processes.wait();
                     keep_sampled(state);
                 }

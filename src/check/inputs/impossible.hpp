@@ -36,9 +36,10 @@ std::vector<std::vector<std::size_t>> joint_groups(const std::vector<Abstractabl
 /// levels that exclude the run, the function selects one with the greatest `since`; among these, it selects the least
 /// precise levels. An entry is nullopt if no combination of levels excludes the run, or if a limit ends the examination
 /// of the group: the time limit, 2^17 states of a single process, or 2^14 states of several processes. If `waits` is
-/// true, a delay of any length is possible initially and whenever all PLCs are stable. Variables whose values the run
-/// does not contain (outputs of Chosen instances, flags) may have any value that the processes require. `complete` is
-/// the expanded network; its time unit divides the time unit of the abstract run.
+/// true, a delay of any length is possible initially and whenever all PLCs are stable and no urgent edge is enabled in
+/// the abstract run. Variables whose values the run does not contain (outputs of Chosen instances, flags) may have any
+/// value that the processes require. `complete` is the expanded network; its time unit divides the time unit of the
+/// abstract run.
 std::vector<std::optional<SpuriousMoves>> impossible(const Network& complete, const AbstractRun& abstract,
                                                      const std::vector<std::vector<std::size_t>>& groups, bool waits,
                                                      const FollowLimits& limits);
