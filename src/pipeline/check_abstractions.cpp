@@ -35,7 +35,7 @@ void decide_by_inputs(const Network& network, const TimedOptions& options, Timed
     TimedOptions own = options;
     own.max_states = TimedOptions{}.max_states;
     InputSearch search(network, nothing, own, result,
-                       {.followed = followed, .followed_coarse = followed, .explored = 0});
+                       {.alternatives = 0, .followed = followed, .followed_coarse = followed, .explored = 0});
     for (const std::uint64_t states : search_rounds)
         if (!search.run(states, own.deadline)) return;
 }

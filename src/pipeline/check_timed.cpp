@@ -56,12 +56,17 @@ std::vector<std::uint64_t> run(std::deque<StagedSearch*> searches, const Limits&
     std::vector<std::size_t> open(searches.size());
     std::iota(open.begin(), open.end(), std::size_t{0});
     const auto refine = [&](std::uint64_t states) {
-        std::size_t left = open.size();
-        std::erase_if(open, [&](std::size_t i) {
+        // A search that decides only the vacuity of properties skips the third round, unless no other search remains.
+        std::vector<std::size_t> active;
+        for (const std::size_t i : open)
+            if (states != search_rounds[2] || !searches[i]->decides_only_vacuity()) active.push_back(i);
+        if (active.empty()) active = open;
+        std::size_t left = active.size();
+        for (const std::size_t i : active) {
             bool again = false;
             step(i, [&](StagedSearch& search) { again = search.refine(states, share_of(abstract, left--)); });
-            return !again;
-        });
+            if (!again) std::erase(open, i);
+        }
     };
     // In each round, a search can use the time that earlier searches of the round did not use. Therefore the search of
     // the loop without observers, which usually decides the most properties, runs last in the round.

@@ -145,6 +145,13 @@ bool StagedSearch::refine(std::uint64_t states, const Deadline& deadline) {
     return (cells || refines_inputs_) && !is_brief_;
 }
 
+bool StagedSearch::decides_only_vacuity() {
+    return complete_ && std::ranges::all_of(complete_->found().verdicts, [&](const Verdict& verdict) {
+               return verdict.outcome != Outcome::Unknown ||
+                      (verdict.about.valid() && is_probe(network_.properties[verdict.about]));
+           });
+}
+
 bool StagedSearch::needs_whole() {
     return complete_ && complete_->needs_whole() &&
            std::ranges::any_of(complete_->found().verdicts, [&](const Verdict& verdict) {

@@ -61,6 +61,9 @@ public:
     /// Performs one round of localization and of input abstraction. Returns false if no further round is possible.
     bool refine(std::uint64_t states, const Deadline& deadline);
 
+    /// True if no property is undecided, except for the vacuity of decided properties.
+    bool decides_only_vacuity();
+
     /// True if the search of the complete loop can decide a requested property that is still undecided.
     bool needs_whole();
 

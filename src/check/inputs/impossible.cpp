@@ -69,6 +69,9 @@ public:
             for (const Id<Network::Variable> variable : Slots(network_, member.process.process).read())
                 if (known.contains(variable)) given_.insert(variable);
         }
+        for (const Member& member : members)
+            for (const Id<Network::Variable> variable : Slots(network_, member.process.process).written())
+                changes_given_ = changes_given_ || given_.contains(variable);
         states_ = {timed::packed_initial(network_, machine_.layout())};
     }
 
@@ -105,7 +108,7 @@ public:
         move();
         std::vector<std::int64_t> values;
         for (const Id<Network::Variable> variable : given_) values.push_back(variables[variable.index]);
-        if (values == given_values_) return;
+        if (values == given_values_ && !changes_given_) return;
         given_values_ = std::move(values);
         closed_by_ = Closed::No;
         States given;
@@ -247,6 +250,7 @@ private:
     void close(bool waits) {
         const Closed wanted = waits ? Closed::EdgesAndDelays : Closed::Edges;
         if (closed_by_ >= wanted) return;
+        closed_by_ = Closed::No;
         std::vector<std::vector<Word>> open(states_.begin(), states_.end());
         const auto add = [&](std::vector<Word> words) {
             if (states_.insert(words).second) open.push_back(std::move(words));
@@ -276,7 +280,8 @@ private:
     const std::size_t most_states_;
     States states_ = {};
     Closed closed_by_ = Closed::No;
-    std::vector<std::int64_t> given_values_ = {};  // values of the variables `given_` in all states; empty if unknown
+    std::vector<std::int64_t> given_values_ = {};  // last values of the variables `given_`; empty if unknown
+    bool changes_given_ = false;                   // true if a member can change some of these variables
     bool is_incomplete_ = false;
     std::size_t polls_ = 1;
 };
@@ -301,7 +306,8 @@ bool is_stable(const AbstractRun& run, const NetworkState& state) {
     });
 }
 
-/// True if every PLC is in a stable situation and no process has an enabled urgent edge, so that time may pass.
+/// True if every PLC is in a stable situation and no other process has an enabled urgent edge, so that time may pass.
+/// (The states of an abstract run have no clocks; urgent edges have no clock constraints.)
 bool may_wait(const AbstractRun& run, const NetworkState& state) {
     if (!is_stable(run, state)) return false;
     for (const Id<Network::Process> id : run.network.processes.ids()) {
@@ -325,7 +331,9 @@ public:
           limits_(limits),
           units_(std::max<std::int64_t>(abstract.network.time_unit_ms / complete.time_unit_ms, 1)),
           samplings_(samplings(abstract)),
-          known_(known_variables(abstract)) {}
+          known_(known_variables(abstract)) {
+        for (const AbstractState& each : abstract.path) may_wait_.push_back(waits && may_wait(abstract, each.state));
+    }
 
     std::optional<SpuriousMoves> impossible(const std::vector<std::size_t>& group) {
         group_ = group;
@@ -390,7 +398,7 @@ private:
                 for (std::size_t m = 0; samples && m < group_.size(); ++m)
                     if (is_chosen(m)) processes.show(m, next->possible[group_[m]]);
                 processes.give(state.variables);
-                if (waits_ && may_wait(abstract_, state)) {
+                if (may_wait_[at]) {
                     processes.wait();
                     keep_sampled(state);
                 }
@@ -426,6 +434,7 @@ private:
     const std::int64_t units_;
     const std::vector<Sampling> samplings_;
     const std::set<Id<Network::Variable>> known_;
+    std::vector<bool> may_wait_ = {};  // per position of the path: true if a delay may follow
     std::vector<std::size_t> group_ = {};
 };
 

@@ -189,7 +189,7 @@ TimedResult InputAbstractionCheck::searched(const Network& network, const InputA
     options.choices = abstraction.choices;
     options.macro_steps = {.enabled = true, .deferred = abstraction.deferred, .unprompted = abstraction.unprompted};
     options.max_states = std::min(round_, bound_of(task));
-    if (is_bounded_in_transitions(task)) options.max_transitions = round_ * limits_.transitions;
+    if (const auto transitions = most_transitions(task)) options.max_transitions = *transitions;
     options.deadline = deadline_;
     TimedResult found = check_timed(network, options);
     result_.states += found.states;
@@ -250,16 +250,17 @@ void InputAbstractionCheck::search(const Task& task) {
         if (at == found.verdicts.end()) continue;
         const std::vector<AbstractState>& path = found.paths[static_cast<std::size_t>(at - found.verdicts.begin())];
         if (!path.empty()) {
-            Levels levels = task.levels;
+            std::vector<Levels> raised;
             const AbstractRun abstract{network, instances_, task.levels, abstraction.choices, path};
-            if (std::optional<Run> run = real_run(k, abstract, task, levels)) {
+            if (std::optional<Run> run = real_run(k, abstract, task, raised)) {
                 Verdict verdict = *at;
                 verdict.run = std::move(run);
                 conclude(k, verdict, task.levels);
             } else if (stopped()) {
                 open.push_back(k);
             } else {
-                refine(k, task, is_stronger ? End::RoundedRun : End::SpuriousRun, levels, next);
+                add_alternatives(k, task, raised);
+                refine(k, task, is_stronger ? End::RoundedRun : End::SpuriousRun, raised.front(), next);
             }
         } else if (found.complete && at->outcome != Outcome::Unknown) {
             Verdict verdict = *at;
@@ -275,10 +276,8 @@ void InputAbstractionCheck::search(const Task& task) {
             refine(k, task, End::Limit, task.levels, next);
         }
     }
-    if (!open.empty()) {
-        postpone(task);
-        postponed_.back().verdicts = std::move(open);
-    }
+    if (!task.alternative) limited_.insert(open.begin(), open.end());
+    if (!open.empty()) postpone(task, std::move(open));
     std::ranges::move(next, std::back_inserter(tasks_));
 }
 
@@ -287,7 +286,6 @@ void InputAbstractionCheck::search(const Task& task) {
 void InputAbstractionCheck::decide_symbolically() {
     constexpr double least = 0.5;  // minimum time for one property, in seconds
     const auto now = [] { return std::chrono::steady_clock::now(); };
-    const auto since = [&](auto begin) { return std::chrono::duration<double>(now() - begin).count(); };
     for (const Task& task : postponed_) {
         if (task.kind != Kind::SingleStates) continue;
         for (const std::size_t k : task.verdicts) {
@@ -324,15 +322,15 @@ void InputAbstractionCheck::decide_symbolically(std::size_t k, const Task& task,
             return conclude(k, found, levels);
         }
         if (proof.outcome == Outcome::Unknown) return;
-        Levels raised = levels;
+        std::vector<Levels> raised;
         if (const auto path = proof.run ? path_of(network, *proof.run) : std::nullopt) {
             const AbstractRun abstract{network, instances_, levels, abstraction.choices, *path};
             found.run = real_run(k, abstract, symbolic, raised);
             if (found.run) return conclude(k, found, levels);
             if (stopped()) return;
         }
-        if (raised == levels) raised.clear();  // the refinement found no further levels
-        levels = std::move(raised);
+        const bool is_finer = !raised.empty() && raised.front() != levels;
+        levels = is_finer ? std::move(raised.front()) : Levels();
     }
 }
 

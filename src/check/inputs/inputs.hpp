@@ -7,9 +7,10 @@
 // durations in the abstraction. If the abstraction preserves a verdict, the verdict is also the verdict on the complete
 // loop. If a verdict depends on a run of the abstraction, a guided search looks for a similar run of the complete loop
 // (follow.hpp). If the guided search finds a run, this run is reported. Otherwise, the level of a process that cannot
-// perform its moves in the abstract run is raised, and the search is repeated. If a property remains undecided, the
-// search restarts with an abstraction of only those instances that read nothing but their own variables (autonomous
-// instances).
+// perform its moves in the abstract run is raised, and the search is repeated. Usually several processes cannot perform
+// their moves, and it is not known which of them the proof needs. The other choices become alternatives, which are
+// searched after the searches of a round (alternatives.hpp). If a property remains undecided, the search restarts with
+// an abstraction of only those instances that read nothing but their own variables (autonomous instances).
 //
 // The searches run in rounds with growing bounds on states. A search that ends at the bound of a round is repeated in
 // the next round. Therefore a property that requires few states does not wait for a property that requires many states.
@@ -73,6 +74,16 @@ struct InputLimits {
     /// Maximum number of transitions of one search with macro-steps, as a multiple of the maximum number of states of
     /// the round. (A macro-step combines many transitions.) The number of transitions is not limited in the last round.
     std::uint64_t transitions = 8;
+    /// Maximum number of alternatives (alternatives.hpp) that are searched for one property in one round; may be 0.
+    std::size_t alternatives = 32;
+    /// Maximum number of transitions of these searches together, as `transitions`.
+    std::uint64_t transitions_of_alternatives = 32;
+    /// Alternatives are searched in rounds with at least this maximum number of states. In earlier rounds, the preferred
+    /// search usually needs only a greater bound.
+    std::uint64_t alternatives_from = std::uint64_t{1} << 17U;
+    /// Maximum share of the time of all rounds that alternatives may use: `first_share` in the first round with
+    /// alternatives, after which most properties are decided without alternatives, and `later_share` afterwards.
+    double first_share = 0.1, later_share = 0.5;
     /// Maximum number of states of one guided search.
     std::size_t followed = 200'000;
     /// Maximum number of states of one guided search in the first rounds, for a run of a coarse abstraction. In later

@@ -170,8 +170,7 @@ void InputAbstractionCheck::search_progress(const Task& task) {
     // In the last round, the proof ended at its own limit and not at the bound of the round, so another round would not
     // help.
     if (open.empty() || (!stopped() && round_ >= limits_.states)) return;
-    postpone(task);
-    postponed_.back().verdicts = std::move(open);
+    postpone(task, std::move(open));
 }
 
 /// Returns the property of `loop_` that has the same name as the property of verdict k. The property of `observed_`

@@ -97,7 +97,7 @@ std::vector<Verdict> VariantSearch::searched(const Network& network, const std::
     const LoopToCheck loop{network};
     StagedSearch search(loop, observe, watched ? observed : network, options, {.timelock = false, .profile = false});
     InputLimits inputs;
-    if (effort.known) inputs = {.explored = 0, .coarse_rounds = 2, .known = known_};
+    if (effort.known) inputs = {.alternatives = 0, .explored = 0, .coarse_rounds = 2, .known = known_};
     search.begin(deadline, effort.begin, inputs);
     for (const std::uint64_t states : effort.rounds)
         if (search.needs_whole()) (void)search.refine(states, deadline);

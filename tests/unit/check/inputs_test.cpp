@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "check/inputs/alternatives.hpp"
 #include "check/inputs/impossible.hpp"
 #include "compose/observe.hpp"
 #include "pipeline/staged_search.hpp"
@@ -114,6 +115,51 @@ TEST(InputAbstraction, FollowsTheViolationOfAStationInTheFirstRound) {
     EXPECT_EQ(result.verdicts.front().outcome, Outcome::Violated);
     ASSERT_TRUE(result.verdicts.front().run);
     EXPECT_TRUE(replay(loop, *result.verdicts.front().run));
+}
+
+Alternatives::Levels at_level(InputLevel level) { return {level}; }
+
+TEST(InputAbstraction, CheapAlternativesComeFirst) {
+    Alternatives alternatives;
+    alternatives.exclude(at_level(InputLevel::Chosen));
+    alternatives.add({at_level(InputLevel::Chosen), true, 0});
+    EXPECT_FALSE(alternatives.has_any());
+    alternatives.add({at_level(InputLevel::Untimed), true, 3});
+    alternatives.add({at_level(InputLevel::Paced), true, 1});
+    alternatives.add({at_level(InputLevel::Paced), true, 0});  // known levels: no effect
+    alternatives.postpone({at_level(InputLevel::Complete), true, 0});
+    EXPECT_EQ(alternatives.take(), (Alternatives::Alternative{at_level(InputLevel::Paced), true, 1}));
+    EXPECT_EQ(alternatives.take(), (Alternatives::Alternative{at_level(InputLevel::Untimed), true, 3}));
+    EXPECT_FALSE(alternatives.has_for_round());
+    EXPECT_TRUE(alternatives.has_any());
+    alternatives.begin_round();
+    EXPECT_EQ(alternatives.take().levels, at_level(InputLevel::Complete));
+    EXPECT_FALSE(alternatives.has_any());
+}
+
+/// The preferred refinement first raises the guard door, although the proof needs only the rivet cylinder and the
+/// emergency stop.
+TEST(InputAbstraction, AlternativeProvesAPropertyOfAStation) {
+    Network loop = expand(read_sample("../bench/stations/independent/riveting.grafcet").network);
+    for (const Property& property : std::exchange(loop.properties, {}))
+        if (property.name == "retracts") loop.properties.add(property);
+    const Observe observe = [](const Network& of) { return observed(of, watched(of)); };
+    const auto verdict = [&](std::size_t alternatives) {
+        TimedOptions options{.max_states = 6, .timelock = false};
+        TimedResult result = check_timed(observe(loop), options);
+        result.time_passes = true;
+        options.max_states = 100'000;
+        InputSearch search(loop, observe, options, result,
+                           {.alternatives = alternatives, .first_share = 1e9, .explored = 0});
+        for (const std::uint64_t states : {search_rounds[0], search_rounds[1]}) search.run(states, {});
+        return result.verdicts.front();
+    };
+    EXPECT_EQ(verdict(0).outcome, Outcome::Unknown);
+    const Verdict proved = verdict(32);
+    EXPECT_EQ(proved.outcome, Outcome::Holds);
+    ASSERT_TRUE(proved.abstraction);
+    EXPECT_EQ(std::ranges::count(proved.abstraction->paced, "E_Stop"), 0);
+    EXPECT_EQ(std::ranges::count(proved.abstraction->chosen, "Guard"), 1);
 }
 
 /// The search rounds the minimum time between two changes of the button, 300 ms, to one unit of 2 s, the duration of
