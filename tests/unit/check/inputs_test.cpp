@@ -19,16 +19,29 @@
 namespace grafverif {
 namespace {
 
+/// Returns the result of a first search that leaves the properties of `observed` undecided.
+TimedResult undecided(const Network& observed) {
+    TimedResult result = check_timed(observed, {.max_states = 6, .timelock = false});
+    result.time_passes = true;
+    return result;
+}
+
+/// Returns a station of the folder `bench/stations` with only one of its properties.
+Network station_with(const std::string& file, const std::string& property) {
+    Network loop = expand(read_sample("../bench/stations/" + file).network);
+    for (const Property& each : std::exchange(loop.properties, {}))
+        if (each.name == property) loop.properties.add(each);
+    return loop;
+}
+
 /// Returns the verdict of input abstraction on the only property of a loop. With the default limits, the complete loop
 /// is not searched first.
 Verdict decided(const std::string& text, const InputLimits& limits = {.explored = 0},
                 const InputAblations& ablations = {}, Grain grain = Grain::Phased) {
     const Network loop = expand(read_loop(text, {.grain = grain}).network);
     const Observe observe = [&](const Network& of) { return observed(of, watched(of)); };
-    TimedOptions options{.max_states = 6, .timelock = false};
-    TimedResult result = check_timed(observe(loop), options);
-    result.time_passes = true;
-    options.max_states = 100'000;
+    const TimedOptions options{.max_states = 100'000, .timelock = false};
+    TimedResult result = undecided(observe(loop));
     InputSearch search(loop, observe, options, result, limits, ablations);
     for (const std::uint64_t states : {8U, 64U, 100'000U})
         if (!search.run(states, {})) break;
@@ -102,14 +115,10 @@ TEST(InputAbstraction, MacroStepsMakeTheCoarseSearchOfAStationSmall) {
 
 /// The operator presses START and turns the key in the same cycle.
 TEST(InputAbstraction, FollowsTheViolationOfAStationInTheFirstRound) {
-    Network loop = expand(read_sample("../bench/stations/undecided/capper.grafcet").network);
-    for (const Property& property : std::exchange(loop.properties, {}))
-        if (property.name == "belt_free") loop.properties.add(property);
+    const Network loop = station_with("undecided/capper.grafcet", "belt_free");
     const Observe observe = [](const Network& of) { return of; };
-    TimedOptions options{.max_states = 6, .timelock = false};
-    TimedResult result = check_timed(loop, options);
-    result.time_passes = true;
-    options.max_states = 100'000;
+    const TimedOptions options{.max_states = 100'000, .timelock = false};
+    TimedResult result = undecided(loop);
     InputSearch search(loop, observe, options, result, {.followed_coarse = 10'000, .explored = 0});
     search.run(4096, {});
     EXPECT_EQ(result.verdicts.front().outcome, Outcome::Violated);
@@ -140,15 +149,11 @@ TEST(InputAbstraction, CheapAlternativesComeFirst) {
 /// The preferred refinement first raises the guard door, although the proof needs only the rivet cylinder and the
 /// emergency stop.
 TEST(InputAbstraction, AlternativeProvesAPropertyOfAStation) {
-    Network loop = expand(read_sample("../bench/stations/independent/riveting.grafcet").network);
-    for (const Property& property : std::exchange(loop.properties, {}))
-        if (property.name == "retracts") loop.properties.add(property);
+    const Network loop = station_with("independent/riveting.grafcet", "retracts");
     const Observe observe = [](const Network& of) { return observed(of, watched(of)); };
     const auto verdict = [&](std::size_t alternatives) {
-        TimedOptions options{.max_states = 6, .timelock = false};
-        TimedResult result = check_timed(observe(loop), options);
-        result.time_passes = true;
-        options.max_states = 100'000;
+        const TimedOptions options{.max_states = 100'000, .timelock = false};
+        TimedResult result = undecided(observe(loop));
         InputSearch search(loop, observe, options, result,
                            {.alternatives = alternatives, .first_share = 1e9, .explored = 0});
         for (const std::uint64_t states : {search_rounds[0], search_rounds[1]}) search.run(states, {});
