@@ -56,7 +56,8 @@ std::vector<std::uint64_t> run(std::deque<StagedSearch*> searches, const Limits&
     std::vector<std::size_t> open(searches.size());
     std::iota(open.begin(), open.end(), std::size_t{0});
     const auto refine = [&](std::uint64_t states) {
-        // A search that decides only the vacuity of properties skips the third round, unless no other search remains.
+        // A search that decides only the vacuity of properties skips the third round, unless no other search remains:
+        // it would use much of the time in which other searches can still decide properties.
         std::vector<std::size_t> active;
         for (const std::size_t i : open)
             if (states != search_rounds[2] || !searches[i]->decides_only_vacuity()) active.push_back(i);

@@ -306,19 +306,13 @@ bool is_stable(const AbstractRun& run, const NetworkState& state) {
     });
 }
 
-/// True if every PLC is in a stable situation and no other process has an enabled urgent edge, so that time may pass.
-/// (The states of an abstract run have no clocks; urgent edges have no clock constraints.)
+/// True if every PLC is in a stable situation and no other process has an enabled urgent edge. Edges of PLCs do not
+/// count, because the change of an input that begins a cycle may also occur later.
 bool may_wait(const AbstractRun& run, const NetworkState& state) {
-    if (!is_stable(run, state)) return false;
-    for (const Id<Network::Process> id : run.network.processes.ids()) {
-        const Network::Process& process = run.network.processes[id];
-        if (process.kind == Network::ProcessKind::Controller) continue;
-        for (const Network::Edge& edge : run.network.templates[process.automaton].edges)
-            if (edge.urgent && edge.from == state.locations[id.index] &&
-                value(run.network, state, edge.guard).value_or(0) != 0)
-                return false;
-    }
-    return true;
+    return is_stable(run, state) && std::ranges::none_of(enabled(run.network, state), [&](const Fire& fire) {
+               return run.network.processes[fire.process].kind != Network::ProcessKind::Controller &&
+                      taken_edge(run.network, fire).urgent;
+           });
 }
 
 /// Executes processes along an abstract run (see `impossible`).

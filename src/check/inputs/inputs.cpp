@@ -285,7 +285,6 @@ void InputAbstractionCheck::search(const Task& task) {
 /// (InputLimits::symbolic_share).
 void InputAbstractionCheck::decide_symbolically() {
     constexpr double least = 0.5;  // minimum time for one property, in seconds
-    const auto now = [] { return std::chrono::steady_clock::now(); };
     for (const Task& task : postponed_) {
         if (task.kind != Kind::SingleStates) continue;
         for (const std::size_t k : task.verdicts) {
@@ -294,7 +293,7 @@ void InputAbstractionCheck::decide_symbolically() {
             const Property& property = observed_.properties[result_.verdicts[k].about];
             if (!is_open(k) || !is_about_all_states(property.pattern)) continue;
             const double most = std::exp2(2 * std::min(symbolic_calls_[k]++, 8));
-            const auto begin = now();
+            const TimePoint begin = std::chrono::steady_clock::now();
             const auto end = begin + std::chrono::milliseconds(static_cast<std::int64_t>(1000 * std::min(left, most)));
             decide_symbolically(k, task, deadline_ ? std::min(*deadline_, end) : end);
             symbolic_seconds_ += since(begin);
