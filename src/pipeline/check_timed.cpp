@@ -93,7 +93,8 @@ TimedResult search(const LoopToCheck& loop, const CheckOptions& options, Additio
 /// failure instead of this run.
 class Reporter {
 public:
-    /// If `explains` is true, the report also contains the causes of violations and the causes of unreachable steps.
+    /// If `explains` is true, the report also contains the causes of violations and of unreachable steps, and the runs
+    /// of the verdicts as moves, which a certificate needs.
     Reporter(const LoopToCheck& loop, const CheckOptions& options, bool explains = true)
         : explains_(explains),
           loop_(loop),
@@ -112,12 +113,16 @@ public:
         apply_probes(network_.properties, result.verdicts);
         for (Verdict& verdict : result.verdicts) {
             if (verdict.about.valid() && is_probe(network_.properties[verdict.about])) continue;
+            std::optional<Run> run = verdict.run;
             if (verdict.outcome == Outcome::Holds && !options_.witnesses) verdict.run.reset();
-            if (verdict.run && !replays(*verdict.run, fmt::format("the trace of `{}`", verdict.property)))
+            if (verdict.run && !replays(*verdict.run, fmt::format("the trace of `{}`", verdict.property))) {
                 verdict.run.reset();
+                run.reset();
+            }
             if (verdict.run && verdict.outcome == Outcome::Violated)
                 violations.push_back({report.answers.size(), *verdict.run});
             report.answers.push_back(result_of(network_, std::move(verdict), detail_));
+            if (explains_) report.answers.back().verdict.run = std::move(run);
         }
         if (!loop_.disabled_corrections && !is_watched() && explains_) {
             explain(network_, violations, again(result, options_.limits), options_.limits, report);

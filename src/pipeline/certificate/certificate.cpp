@@ -11,11 +11,14 @@
 #include "check/timed/timed.hpp"
 #include "compose/observe.hpp"
 #include "emit/certificate/certificate.hpp"
+#include "explain/causes.hpp"
 #include "ir/network_run.hpp"
+#include "ir/patterns.hpp"
 #include "ir/probes.hpp"
 #include "ir/step_names.hpp"
 #include "pipeline/certificate/fragment_proofs.hpp"
 #include "pipeline/staged_search.hpp"
+#include "run/retiming.hpp"
 
 namespace grafverif {
 
@@ -72,12 +75,16 @@ public:
         for (const Verdict* verdict : prove_by_fragments(separate)) others.push_back(verdict);
         std::erase_if(others, [&](const Verdict* verdict) { return prove_by_subsystems(*verdict); });
         std::vector<const Verdict*> known;
+        std::vector<std::pair<const Verdict*, std::string>> by_runs;
         for (const Verdict* verdict : others) {
             if (verdict->outcome == Outcome::Unknown) omit(*verdict, "the verdict is unknown");
             else if (certificate::is_too_deep(flat_)) omit(*verdict, "a term of the model is nested too deeply");
+            else if (std::optional<std::string> run = proving_run(*verdict)) by_runs.emplace_back(verdict, *run);
             else known.push_back(verdict);
         }
         if (!known.empty()) prove_completely(known, std::move(options));
+        for (const auto& [verdict, run] : by_runs)
+            claim(reported_property(flat_, *verdict), verdict->outcome, CertificateKind::Run, run);
         return written(more);
     }
 
@@ -95,6 +102,22 @@ private:
         std::string text = certificate::states_text(found.states);
         claims_ += fmt::format("{} {} {}\n", keyword, certificate::checksum(text), subfolder);
         certificate_.files.push_back({path(subfolder + "/states.txt"), std::move(text)});
+    }
+
+    /// Returns the lines of the run of the verdict, if this run alone proves the verdict. The result is empty if the
+    /// verdict has no such run: then a complete search is needed.
+    std::optional<std::string> proving_run(const Verdict& verdict) const {
+        Property property = reported_property(flat_, verdict);
+        const bool is_reachable = property.pattern == Pattern::Reachable;
+        if (!verdict.run || verdict.outcome != (is_reachable ? Outcome::Holds : Outcome::Violated)) return {};
+        if (ends_with_race(*verdict.run) || !decides(flat_, *verdict.run, property.pattern)) return {};
+        if (is_reachable) property.pattern = Pattern::Never;
+        const auto states = replay(flat_, *verdict.run);
+        const auto causes = causes_of(flat_, property, *states, verdict.run->loop);
+        // The last state must violate a property about single states.
+        if (!causes || causes->pairs.empty()) return {};
+        if (!is_liveness(property.pattern) && causes->pairs.back().state + 1 != states->size()) return {};
+        return certificate::run_text(flat_, *verdict.run, most_bytes);
     }
 
     /// Returns the verdicts that fragments do not prove.

@@ -103,6 +103,25 @@ TEST(Certificate, StatesTheReasonForAVerdictWithoutCertificate) {
     EXPECT_NE(certified.out.find("P15: not certified: the verdict is unknown"), std::string::npos) << certified.out;
 }
 
+/// The loop has too many states for a complete search. Input abstraction and a search for runs decide the properties;
+/// `body` has an observer.
+TEST(Certificate, ARunProvesAVerdictWithoutACompleteSearch) {
+    const Folder folder;
+    const std::string lift = (root / "bench/stations/lift_mistake.grafcet").string();
+    const Result result = grafverif({"check", lift, "--property", "level", "--property", "body", "--property",
+                                     "all.GP.X14", "--max-states", "140000", "--certificate", folder.file("lift")});
+    EXPECT_NE(result.out.find("\n  run: level, body, all.GP.X14\n"), std::string::npos) << result.out << result.err;
+    EXPECT_NE(result.out.find("\n  no_timelock is not certified: the complete search does not decide the property: "
+                              "state limit reached"),
+              std::string::npos)
+        << result.out;
+    const Certified certified = certify(folder.file("lift"));
+    EXPECT_EQ(certified.code, 0) << certified.out;
+    for (const char* const claim : {"\nlevel: violated, shown by a run\n", "\nall.GP.X14: holds, shown by a run\n",
+                                    "\nbody/body: violated, shown by a run\n"})
+        EXPECT_NE(certified.out.find(claim), std::string::npos) << claim << certified.out;
+}
+
 /// Two subsystems: the right one blocks, the left one moves forever.
 constexpr const char* half_blocked = R"(
 grafcet left { input A; output L; initial step 0; step 1 { L; }
