@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "check/timed/machine.hpp"
 #include "check/timed/timed.hpp"
 #include "compose/observe.hpp"
 #include "ir/network_inputs.hpp"
@@ -183,6 +184,38 @@ TEST(MacroSteps, RandomLoopsGetTheVerdictsOfTheSearchWithoutMacroSteps) {
     print_counts(seen);
     EXPECT_GT(seen["runs"], test_size(50));
     EXPECT_LT(seen["states with macro-steps"], seen["states without macro-steps"]);
+}
+
+/// Macro-steps call Machine::may_move to recognize most states that are not transient.
+TEST(MacroSteps, TheTestOfOneProcessAgreesWithTheMovesOfTheState) {
+    int moving = 0, resting = 0;
+    for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(test_size(40)); ++seed) {
+        const Network network = panel(seed);
+        const timed::Machine machine(network);
+        std::vector<timed::Word> words = timed::packed_initial(network, machine.layout());
+        timed::Moves moves;
+        Random random(seed);
+        for (int step = 0; step < 200; ++step) {
+            machine.expand(words.data(), moves);
+            if (moves.fault) break;
+            for (const Id<Network::Process> id : network.processes.ids()) {
+                const bool has_move = std::ranges::any_of(
+                    moves.edges, [&](std::uint32_t edge) { return machine.process_of(edge) == id; });
+                const bool may_move = machine.may_move(id.index, words.data(), moves.registers);
+                // The invariant of the target location can forbid an edge, but not in these loops.
+                ASSERT_EQ(may_move, has_move) << "seed " << seed << ", " << network.processes[id].name;
+                ++(may_move ? moving : resting);
+            }
+            const bool passes = !moves.urgent && (moves.edges.empty() || chance(random, 40));
+            if (passes && machine.delay(words.data())) continue;
+            if (moves.edges.empty()) break;
+            const std::size_t move = random() % moves.edges.size();
+            std::copy_n(moves.words.begin() + static_cast<std::ptrdiff_t>(move * words.size()), words.size(),
+                        words.begin());
+        }
+    }
+    EXPECT_GT(moving, test_size(1000));
+    EXPECT_GT(resting, test_size(1000));
 }
 
 TEST(MacroSteps, EachPremiseIsNeeded) {

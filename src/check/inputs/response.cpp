@@ -119,18 +119,19 @@ private:
         for (std::uint32_t state = 0; state < states_.size(); ++state) {
             limits.poll();
             if (components.of(state) == timed::Store::none) continue;
-            if (may_stay(state)) return fails_in(components.of(state), components);
+            if (may_stay(state)) return fails_in(components.of(state), components, limits);
             if (components.has_cycle(state)) add(state, components, found[components.of(state)]);
         }
         const auto repeated = std::ranges::find_if(found, [&](const auto& entry) { return may_repeat(entry.second); });
-        return repeated == found.end() || fails_in(repeated->first, components);
+        return repeated == found.end() || fails_in(repeated->first, components, limits);
     }
 
     /// Finds the Chosen instances whose values enable moves out of `component`, in which a run may stay. Returns false.
     template <class Components>
-    bool fails_in(std::uint32_t component, const Components& components) {
+    bool fails_in(std::uint32_t component, const Components& components, const timed::Limits& limits) {
         const std::vector<InputChoice>& choices = states_.machine().choices();
         for (std::uint32_t state = 0; state < states_.size(); ++state) {
+            limits.poll();
             if (components.of(state) != component) continue;
             const timed::Moves& moves = states_.expand(state, true);
             for (std::size_t move = 0; move < moves.edges.size(); ++move) {

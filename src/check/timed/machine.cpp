@@ -46,6 +46,20 @@ void Machine::expand(const Word* words, Moves& moves) const {
     if (moves.urgent) moves.locked_bound.reset();
 }
 
+bool Machine::may_move(std::uint32_t process, const Word* words, std::vector<std::int64_t>& registers) const {
+    if (const std::size_t all = program_.below + program_.registers; registers.size() < all) registers.resize(all);
+    std::int64_t* const own = registers.data() + program_.below;
+    const Place& place = places_[process];
+    const Row& row = rows_[place.row + ((words[place.word] & place.mask) >> place.shift)];
+    for (std::uint32_t edge = row.first; edge != row.last; ++edge) {
+        const Edge& at = edges_[edge];
+        if ((words[at.word] & at.mask) != at.value) continue;
+        if (at.guard != Program::yes && test(program_, at.guard, words, own).end == End::No) continue;
+        if (at.clocks == Program::yes || test(program_, at.clocks, words, own).end == End::Yes) return true;
+    }
+    return false;
+}
+
 void Machine::fire(std::uint32_t edge, const Word* words, Moves& moves) const {
     if (edges_[edge].first_set != edges_[edge].last_set) return fire_each_path(edge, words, moves);
     Word* const next = next_successor(moves);

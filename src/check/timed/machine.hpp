@@ -77,6 +77,9 @@ public:
 
     /// Computes the moves by every edge that is enabled in `words` (layout().words words).
     void expand(const Word* words, Moves& moves) const;
+    /// Returns false if no edge of the process is enabled in `words`. May return true although the invariant of the
+    /// target location forbids each enabled edge, or although a guard is undefined.
+    bool may_move(std::uint32_t process, const Word* words, std::vector<std::int64_t>& registers) const;
     /// Lets one unit of time pass in the state `words`; urgent edges are ignored. Returns false if an invariant forbids
     /// the delay.
     bool delay(Word* words) const;

@@ -39,6 +39,8 @@ MacroSteps::MacroSteps(const Machine& machine, PropertyMonitor monitor, std::vec
             cycle.outputs.push_back({machine.layout().variables[output.index], network.variables[output].initial});
         cycles_.push_back(std::move(cycle));
     }
+    for (std::uint32_t process = 0; process < observers_.size(); ++process)
+        if (observers_[process] || accepts_[process] != none) prompt_.push_back(process);
 }
 
 /// Keeps only the moves for which `keeps(edge)` is true.
@@ -72,6 +74,13 @@ std::size_t MacroSteps::location_of(std::uint32_t process, const Word* words) co
 /// this case, `moves` contains only the moves by which macro-steps continue.
 bool MacroSteps::is_transient(const Word* words, Moves& moves) const {
     if (std::ranges::any_of(races_, [&](const Field& race) { return race.raw(words) != 0; })) return false;
+    const std::size_t index = cycle_of(words);
+    // Most states are not transient. To recognize such a state, it usually suffices to test the edges of a few
+    // processes.
+    if (index == none && std::ranges::none_of(prompt_, [&](std::uint32_t process) {
+            return machine_->may_move(process, words, moves.registers);
+        }))
+        return false;
     machine_->expand(words, moves);
     if (moves.fault || moves.cut) return false;
     const auto process_of = [&](std::uint32_t edge) { return machine_->process_of(edge).index; };
@@ -82,7 +91,6 @@ bool MacroSteps::is_transient(const Word* words, Moves& moves) const {
     const auto accepts = [&](std::uint32_t edge) {
         return accepts_[process_of(edge)] != none && machine_->urgent(edge);
     };
-    const std::size_t index = cycle_of(words);
     if (index == none) {
         const auto first = std::ranges::find_if(moves.edges, accepts);
         if (first == moves.edges.end()) return false;
@@ -148,8 +156,8 @@ void MacroSteps::normalize(Word* words) const {
 void MacroSteps::append(Word* words, std::uint32_t edge, std::size_t depth, const Word* first, Buffers& buffers) const {
     normalize(words);
     if (!buffers.known->add(words).is_new) return;
-    if (buffers.levels.size() <= depth) buffers.levels.resize(depth + 1);
-    Moves moves = std::move(buffers.levels[depth]);
+    if (buffers.levels.size() <= depth) buffers.levels.push_back(std::make_unique<Moves>());
+    Moves& moves = *buffers.levels[depth];
     const std::size_t size = machine_->layout().words;
     if (is_transient(words, moves) && is_covered(words, moves, first, buffers)) {
         buffers.computed += moves.edges.size();
@@ -159,7 +167,6 @@ void MacroSteps::append(Word* words, std::uint32_t edge, std::size_t depth, cons
         buffers.made.edges.push_back(edge);
         buffers.made.words.insert(buffers.made.words.end(), words, words + size);
     }
-    buffers.levels[depth] = std::move(moves);
 }
 
 std::size_t MacroSteps::expand(const Word* words, Moves& moves, Buffers& buffers) const {

@@ -40,6 +40,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -54,9 +55,9 @@ class MacroSteps {
 public:
     /// The buffers of one thread.
     struct Buffers {
-        std::vector<Moves> levels = {};          // per depth: the moves of a transient state
-        Moves made = {};                         // the macro-steps of the expanded state
-        std::optional<PackedStates> known = {};  // the states that the macro-steps have reached
+        std::vector<std::unique_ptr<Moves>> levels = {};  // per depth: the moves of a transient state
+        Moves made = {};                                  // the macro-steps of the expanded state
+        std::optional<PackedStates> known = {};           // the states that the macro-steps have reached
         std::vector<Word> marks = {}, others = {};
         std::size_t computed = 0;  // number of computed moves, including moves of transient states
     };
@@ -126,6 +127,8 @@ private:
     std::vector<bool> observers_ = {}, deferred_ = {};  // per process: true for observers; true for deferred processes
     std::vector<std::size_t> accepts_ = {};             // per process: for a timer that accepts requests, the index of
                                                         // its PLC in `cycles_`; otherwise `none`
+    std::vector<std::uint32_t> prompt_ = {};  // the processes whose moves can make a state transient although no PLC is
+                                              // within a cycle
 };
 
 }  // namespace grafverif::timed
