@@ -106,17 +106,23 @@ private:
 
     /// Returns the lines of the run of the verdict, if this run alone proves the verdict. The result is empty if the
     /// verdict has no such run: then a complete search is needed.
-    std::optional<std::string> proving_run(const Verdict& verdict) const {
+    std::optional<std::string> proving_run(const Verdict& verdict) {
         Property property = reported_property(flat_, verdict);
-        const bool is_reachable = property.pattern == Pattern::Reachable;
-        if (!verdict.run || verdict.outcome != (is_reachable ? Outcome::Holds : Outcome::Violated)) return {};
-        if (ends_with_race(*verdict.run) || !decides(flat_, *verdict.run, property.pattern)) return {};
-        if (is_reachable) property.pattern = Pattern::Never;
+        const Pattern pattern = property.pattern;
+        const Outcome outcome = pattern == Pattern::Reachable ? Outcome::Holds : Outcome::Violated;
+        if (!verdict.run || verdict.outcome != outcome || ends_with_race(*verdict.run)) return {};
+        if (!decides(flat_, *verdict.run, pattern)) return {};
+        if (pattern == Pattern::Reachable) property.pattern = Pattern::Never;
+        if (pattern == Pattern::Inevitable) {  // examined as `true leads to q`
+            property.pattern = Pattern::LeadsTo;
+            property.operands.insert(property.operands.begin(), flat_.exprs.constant(true));
+        }
         const auto states = replay(flat_, *verdict.run);
         const auto causes = causes_of(flat_, property, *states, verdict.run->loop);
-        // The last state must violate a property about single states.
         if (!causes || causes->pairs.empty()) return {};
-        if (!is_liveness(property.pattern) && causes->pairs.back().state + 1 != states->size()) return {};
+        const std::size_t state = causes->pairs.front().state;
+        if (pattern == Pattern::Inevitable && state != 0) return {};
+        if (!is_liveness(pattern) && state + 1 != states->size()) return {};
         return certificate::run_text(flat_, *verdict.run, most_bytes);
     }
 
