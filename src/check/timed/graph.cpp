@@ -35,22 +35,31 @@ std::vector<AbstractState> Graph::moves_between(std::vector<Word>& words, std::u
     return moves;
 }
 
-NetworkState Graph::state(std::uint32_t number) { return state_of(load(number)); }
+void Graph::read(std::uint32_t number, NetworkState& state) { unpack(load(number), state); }
 
 NetworkState Graph::state_of(const Word* words) const {
+    NetworkState state;
+    unpack(words, state);
+    return state;
+}
+
+/// Stores the packed state in `state`. Reuses the memory of `state`.
+void Graph::unpack(const Word* words, NetworkState& state) const {
     const Network& network = machine.network();
     const Layout& layout = machine.layout();
-    NetworkState state;
+    state.locations.clear();
     for (const Field& location : layout.locations)
         state.locations.push_back({static_cast<std::uint32_t>(location.get(words))});
+    state.variables.clear();
     for (const Id<Network::Variable> id : network.variables.ids())
         state.variables.push_back(network.variables[id].scratch ? network.variables[id].initial
                                                                 : layout.variables[id.index].get(words));
-    for (const std::vector<Field>& clocks : layout.clocks) {
-        std::vector<std::int64_t>& values = state.clocks.emplace_back();
-        for (const Field& clock : clocks) values.push_back(clock.get(words));
+    state.clocks.resize(layout.clocks.size());
+    for (std::size_t process = 0; process < layout.clocks.size(); ++process) {
+        std::vector<std::int64_t>& values = state.clocks[process];
+        values.clear();
+        for (const Field& clock : layout.clocks[process]) values.push_back(clock.get(words));
     }
-    return state;
 }
 
 /// Returns the first state of a path in packed form. Variables that are not stored have correct values only if this is

@@ -202,8 +202,9 @@ public:
     /// Returns the moves along a path of states. Consecutive delays are joined to one move, except for two delays
     /// between which the loop begins (at index `loop`).
     Run run_along(const std::vector<std::uint32_t>& path, std::optional<std::size_t> loop = {});
-    /// Returns state number `number`. Variables that are not stored (scratch variables) have their initial values.
-    NetworkState state(std::uint32_t number);
+    /// Stores state number `number` in `state`. Variables that are not stored (scratch variables) get their initial
+    /// values.
+    void read(std::uint32_t number, NetworkState& state);
     /// Returns the states of a path, except the first, in the form of TimedResult::paths.
     std::vector<AbstractState> states_along(const std::vector<std::uint32_t>& path);
     /// Returns the path from the initial state to `state`.
@@ -221,6 +222,7 @@ public:
 private:
     void expand(std::uint32_t state) { expand(load(state), moves_, buffers_); }
     NetworkState state_of(const Word* words) const;
+    void unpack(const Word* words, NetworkState& state) const;
     std::vector<Word> first_words(const std::vector<std::uint32_t>& path);
 
     Moves moves_ = {};

@@ -111,8 +111,13 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
     if (explained && result.states > (result.complete ? 0 : 1))  // computes no profile if the search expanded no state
         result.profile =
             measured(graph, options, ended == UnknownReason::Stopped ? timed::Effort::Brief : timed::Effort::Full);
-    if (options.each_state && result.complete && !graph.covered)
-        for (std::uint32_t state = 0; state < graph.states(); ++state) options.each_state(graph.state(state));
+    if (options.each_state && result.complete && !graph.covered) {
+        NetworkState now;
+        for (std::uint32_t state = 0; state < graph.states(); ++state) {
+            graph.read(state, now);
+            options.each_state(now);
+        }
+    }
     result.seconds = limits.seconds();
     for (Verdict& verdict : result.verdicts) {
         verdict.states = std::to_string(result.states);
