@@ -49,7 +49,9 @@ TEST(LspServer, RequiresInitializationFirstAndOnce) {
     EXPECT_EQ(code_of(client.answer(client.send_request("textDocument/hover", Json::object()))), -32002);
     client.open(address, "nothing of this is looked at");
     client.begin();
-    EXPECT_EQ(code_of(client.answer(client.send_request("initialize", Json::object()))), -32600);
+    const Json again = client.answer(client.send_request("initialize", Json::object()));
+    EXPECT_EQ(code_of(again), -32600);
+    EXPECT_EQ(again["error"]["message"], "the server is already initialized");
     EXPECT_EQ(code_of(client.answer(client.send_request("no/such", Json::object()))), -32601);
     EXPECT_EQ(client.waiting(), 0U);
 }
