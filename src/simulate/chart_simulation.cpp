@@ -182,6 +182,7 @@ std::string ChartSimulation::cycle() {
 std::string ChartSimulation::follow() {
     State kept = state_;
     std::vector<std::vector<bool>> since_kept;
+    std::size_t evolutions = 0;
     for (std::size_t power = 1; !broken_;) {
         const State before = state_;
         if (std::string problem = cycle(); !problem.empty()) return problem;
@@ -189,7 +190,7 @@ std::string ChartSimulation::follow() {
         since_kept.push_back(state_.situation);
         Cycle unstable{.state = {}};
         if (state_ == kept) unstable.endless = since_kept;
-        unstable.gave_up = recorded_run_.moments.size() > evolution_limit;
+        unstable.gave_up = ++evolutions > evolution_limit;
         broken_ = unstable.gave_up || state_ == kept;
         if (broken_) return problem_in(chart_, unstable);
         if (since_kept.size() < power) continue;
