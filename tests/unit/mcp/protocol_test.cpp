@@ -254,6 +254,44 @@ TEST(McpProtocol, LimitsTheCallsThatWaitAndRun) {
     EXPECT_LE(accepted, static_cast<int>(most_waiting + most_running));
 }
 
+/// While the client does not accept a response, the server reads only a few more messages.
+TEST(McpProtocol, ReadsNoFurtherMessagesOfAFloodWhileTheClientDoesNotRead) {
+    constexpr std::size_t pings = 20'000;
+    std::string flood;
+    for (std::size_t k = 0; k < pings; ++k)
+        flood += Json{{"jsonrpc", "2.0"}, {"id", k}, {"method", k % 2 == 0 ? "ping" : "no such method"}}.dump() + '\n';
+    const std::size_t longest = 100;  // more than the length of each of these messages
+    std::atomic<std::size_t> given = 0, answers = 0;
+    std::atomic<bool> open = false, blocked = false;
+    std::thread server([&] {
+        converse(
+            [&](std::span<char> buffer) {
+                const std::size_t count = std::min({buffer.size(), longest, flood.size() - given});
+                std::copy_n(flood.begin() + static_cast<std::ptrdiff_t>(given), count, buffer.begin());
+                given += count;
+                return count;
+            },
+            [&](std::string_view bytes) {
+                blocked = true;
+                while (!open) std::this_thread::sleep_for(1ms);
+                EXPECT_EQ(Json::parse(bytes)["id"], answers);
+                ++answers;
+                return true;
+            },
+            Gate().environment());
+    });
+    while (!blocked) std::this_thread::sleep_for(1ms);
+    std::size_t last = 0;
+    do {
+        last = given;
+        std::this_thread::sleep_for(100ms);
+    } while (given != last);
+    EXPECT_LT(given, (most_messages + 4) * longest);
+    open = true;
+    server.join();
+    EXPECT_EQ(answers, pings);
+}
+
 TEST(McpProtocol, EndsWithRunningCallsIfTheClientDisappears) {
     for (const bool reads : {true, false}) {
         Gate gate;
