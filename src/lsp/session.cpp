@@ -131,8 +131,7 @@ Json Session::answer(const std::string& method, const Json& params) {
     if (method == "initialize" && state_ == State::Fresh) return initialize(params);
     if (state_ == State::Fresh)
         throw RequestError{not_initialized, "the server is not initialized; send `initialize` first"};
-    if (state_ != State::Running)
-        throw RequestError{rpc::invalid_request, method + " is not allowed after `shutdown`"};
+    if (state_ != State::Running) throw RequestError{rpc::invalid_request, method + " is not allowed after `shutdown`"};
     if (method == "initialize") throw RequestError{rpc::invalid_request, "the server is already initialized"};
     if (method == "shutdown") {
         state_ = State::ShutDown;
