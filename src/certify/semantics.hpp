@@ -68,7 +68,8 @@ struct Semantics {
     }
     /// True if the state, or a state that it represents, violates the property or, for `reachable`, satisfies it.
     bool decides(const Property& property, const State& state) {
-        const auto is_true = [&](Index operand) { return truth(operand, state); };
+        // Two true operands decide `exactly one of`, even if a later operand has no value.
+        const auto is_true = [&, found = 0](Index k) mutable { return found < 2 && truth(k, state) && ++found != 0; };
         return property.pattern <= Pattern::ExactlyOne && any_choice([&] {
                    const auto count =
                        concerns(property, state) ? std::ranges::count_if(property.operands, is_true) : -1;

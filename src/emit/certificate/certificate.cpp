@@ -215,12 +215,16 @@ std::string word_of(std::string_view name) {
     return word.empty() ? "%" : word;
 }
 
-bool is_too_deep(const Network& flat) {
+std::string obstacle(const Network& flat) {
     std::vector<std::size_t> depth(flat.exprs.size());
-    for (std::uint32_t i = 0; i < flat.exprs.size(); ++i)
+    for (std::uint32_t i = 0; i < flat.exprs.size(); ++i) {
         for (const Id<Expr> operand : flat.exprs.operands(Id<Expr>{i}))
             depth[i] = std::max(depth[i], depth[operand.index] + 1);
-    return std::ranges::any_of(depth, [](std::size_t each) { return each > most_depth; });
+        const Expr& node = flat.exprs[Id<Expr>{i}];
+        if (node.op == Op::Integer && node.value == unknown_value) return "a number of the model is too small";
+        if (depth[i] > most_depth) return "a term of the model is nested too deeply";
+    }
+    return {};
 }
 
 std::string network_text(const Network& flat, const std::vector<Property>& properties) {

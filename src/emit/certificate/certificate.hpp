@@ -28,8 +28,9 @@ std::string checksum(std::string_view text);
 /// Returns a name without characters that separate words. Different names remain different.
 std::string word_of(std::string_view name);
 
-/// True if the depth of some term of the network exceeds `most_depth`.
-bool is_too_deep(const Network& flat);
+/// Returns the reason why no certificate of the network can be written, or an empty string: the depth of a term exceeds
+/// `most_depth`, or a number is `unknown_value`.
+std::string obstacle(const Network& flat);
 
 /// Returns the text of an expanded network without its properties, and with `properties`, whose patterns must be those
 /// of the timed engine. A property `reachable all steps` must be given as one `reachable` for each step.

@@ -11,7 +11,6 @@
 #include "check/timed/timed.hpp"
 #include "compose/observe.hpp"
 #include "emit/certificate/certificate.hpp"
-#include "explain/causes.hpp"
 #include "ir/network_run.hpp"
 #include "ir/patterns.hpp"
 #include "ir/probes.hpp"
@@ -25,9 +24,17 @@ namespace grafverif {
 namespace {
 
 /// Maximum number of states of a certificate, and of all values of these states, which are stored in memory; maximum
-/// size of a run.
+/// size of a run. `most_explored` is the limit of `grafverif-certify` for the states that are reachable from the last
+/// state of a run: the number of states, multiplied by the number of their values plus 16.
 constexpr std::uint64_t most_states = 10'000'000;
 constexpr std::size_t most_values = std::size_t{1} << 27U, most_bytes = std::size_t{1} << 26U;
+constexpr std::size_t most_explored = 200'000'000;
+
+/// Returns the name of the folder for a property. File systems limit the length of a name.
+std::string folder_of(const std::string& property) {
+    const std::string word = certificate::word_of(property);
+    return word.size() <= 200 ? word : "property_" + certificate::checksum(property);
+}
 
 /// Returns the property that `verdict` decides. For a verdict on one step of a property `reachable all steps`, returns
 /// a property `reachable` of this step.
@@ -60,7 +67,10 @@ Property reported_property(const Network& flat, Verdict verdict) {
 class FolderWriter {
 public:
     FolderWriter(Network flat, std::string folder, Certificate& certificate)
-        : flat_(std::move(flat)), folder_(std::move(folder)), certificate_(certificate) {}
+        : flat_(std::move(flat)),
+          obstacle_(certificate::obstacle(flat_)),
+          folder_(std::move(folder)),
+          certificate_(certificate) {}
 
     /// Adds the claims about `reported` and the lines `more` to the index. A subfolder without claims is not written.
     /// Returns the lines for the index of the folder that contains this folder. Verdicts of localization and of input
@@ -78,7 +88,7 @@ public:
         std::vector<std::pair<const Verdict*, std::string>> by_runs;
         for (const Verdict* verdict : others) {
             if (verdict->outcome == Outcome::Unknown) omit(*verdict, "the verdict is unknown");
-            else if (certificate::is_too_deep(flat_)) omit(*verdict, "a term of the model is nested too deeply");
+            else if (!obstacle_.empty()) omit(*verdict, obstacle_);
             else if (std::optional<std::string> run = proving_run(*verdict)) by_runs.emplace_back(verdict, *run);
             else known.push_back(verdict);
         }
@@ -106,29 +116,53 @@ private:
 
     /// Returns the lines of the run of the verdict, if this run alone proves the verdict. The result is empty if the
     /// verdict has no such run: then a complete search is needed.
-    std::optional<std::string> proving_run(const Verdict& verdict) {
-        Property property = reported_property(flat_, verdict);
-        const Pattern pattern = property.pattern;
-        const Outcome outcome = pattern == Pattern::Reachable ? Outcome::Holds : Outcome::Violated;
+    std::optional<std::string> proving_run(const Verdict& verdict) const {
+        const Property property = reported_property(flat_, verdict);
+        const Outcome outcome = property.pattern == Pattern::Reachable ? Outcome::Holds : Outcome::Violated;
         if (!verdict.run || verdict.outcome != outcome || ends_with_race(*verdict.run)) return {};
-        if (!decides(flat_, *verdict.run, pattern)) return {};
-        if (pattern == Pattern::Reachable) property.pattern = Pattern::Never;
-        if (pattern == Pattern::Inevitable) {  // examined as `true leads to q`
-            property.pattern = Pattern::LeadsTo;
-            property.operands.insert(property.operands.begin(), flat_.exprs.constant(true));
+        if (!decides(flat_, *verdict.run, property.pattern)) return {};
+        const std::vector<NetworkState> states = replay(flat_, *verdict.run).value();
+        const auto is_proved = is_liveness(property.pattern) ? avoids(property, states, verdict.run->loop)
+                                                             : ends_with_decision(property, states.back());
+        return is_proved ? certificate::run_text(flat_, *verdict.run, most_bytes) : std::nullopt;
+    }
+
+    /// True if the term has a value other than 0 in the state; with `at stable`, only if the state is also quiescent.
+    bool holds(const Property& property, Id<Expr> term, const NetworkState& state) const {
+        if (property.at_stable && value(flat_, state, flat_.settled) != 1) return false;
+        return value(flat_, state, term).value_or(0) != 0;
+    }
+
+    /// True if the state violates a property about single states (for `reachable`: satisfies it).
+    bool ends_with_decision(const Property& property, const NetworkState& state) const {
+        if (property.at_stable && value(flat_, state, flat_.settled) != 1) return false;
+        const std::vector<Id<Expr>>& operands = property.operands;
+        switch (property.pattern) {
+        case Pattern::Always: return value(flat_, state, operands[0]) == 0;
+        case Pattern::Never:
+        case Pattern::Reachable: return value(flat_, state, operands[0]).value_or(0) != 0;
+        case Pattern::ExactlyOneOf:
+            return std::ranges::count_if(operands, [&](Id<Expr> term) { return holds(property, term, state); }) != 1;
+        default: return false;
         }
-        const auto states = replay(flat_, *verdict.run);
-        const auto causes = causes_of(flat_, property, *states, verdict.run->loop);
-        if (!causes || causes->pairs.empty()) return {};
-        const std::size_t state = causes->pairs.front().state;
-        if (pattern == Pattern::Inevitable && state != 0) return {};
-        if (!is_liveness(pattern) && state + 1 != states->size()) return {};
-        return certificate::run_text(flat_, *verdict.run, most_bytes);
+    }
+
+    /// True if the run with these states violates an `inevitable` or a `leads to`: no state has q, or no state from a
+    /// state with p on. `loop` is the index of the state that equals the last state.
+    bool avoids(const Property& property, const std::vector<NetworkState>& states,
+                const std::optional<std::size_t>& loop) const {
+        const Id<Expr> q = property.operands.back();
+        std::size_t first = states.size();  // no state from this state on has q
+        while (first > 0 && !holds(property, q, states[first - 1])) --first;
+        if (property.pattern == Pattern::Inevitable) return first == 0;
+        if (loop && first > *loop) return false;
+        return std::any_of(states.begin() + static_cast<std::ptrdiff_t>(first), states.end(),
+                           [&](const NetworkState& state) { return holds(property, property.operands[0], state); });
     }
 
     /// Returns the verdicts that fragments do not prove.
     std::vector<const Verdict*> prove_by_fragments(const std::vector<const Verdict*>& verdicts) {
-        if (verdicts.empty() || certificate::is_too_deep(flat_)) return verdicts;
+        if (verdicts.empty() || !obstacle_.empty()) return verdicts;
         FragmentProofs proofs(flat_, limits_);
         std::vector<const Verdict*> open, proved;
         for (const Verdict* verdict : verdicts)
@@ -138,7 +172,7 @@ private:
         for (const FragmentProofs::Proof& proof : proofs.proofs()) {
             for (const Id<Network::Process> process : proof.content.reacting)
                 claims_ += fmt::format("reacts {}\n", certificate::word_of(flat_.processes[process].name));
-            const std::string word = proof.property ? certificate::word_of(proof.property->name) : "errors";
+            const std::string word = proof.property ? folder_of(proof.property->name) : "errors";
             add_states("states", fmt::format("{}-{}", word, ++number), proof.found);
             if (!proof.property) continue;
             const bool is_violated = proof.property->pattern == Pattern::Reachable;
@@ -150,7 +184,7 @@ private:
     /// Proves a `no deadlock` that holds for each independent subsystem.
     bool prove_by_subsystems(const Verdict& verdict) {
         const bool is_separate = !verdict.scope.searched.empty() || !verdict.scope.left_out.empty();
-        if (verdict.pattern != Pattern::NoDeadlock || !is_separate || certificate::is_too_deep(flat_)) return false;
+        if (verdict.pattern != Pattern::NoDeadlock || !is_separate || !obstacle_.empty()) return false;
         if (verdict.outcome == Outcome::Unknown) return false;
         const Property property = reported_property(flat_, verdict);
         std::optional<std::vector<FragmentStates>> parts;
@@ -162,7 +196,7 @@ private:
             return true;
         }
         for (std::size_t i = 0; i < parts->size(); ++i)
-            add_states("subsystem", fmt::format("{}-part-{}", certificate::word_of(property.name), i + 1), (*parts)[i]);
+            add_states("subsystem", fmt::format("{}-part-{}", folder_of(property.name), i + 1), (*parts)[i]);
         claim(property, Outcome::Holds, CertificateKind::Subsystems);
         return true;
     }
@@ -186,7 +220,11 @@ private:
             std::string reason = found == result.verdicts.end() ? "the complete search does not check the property"
                                                                 : obstacle(*verdict, *found, result);
             std::optional<std::string> run;
-            if (reason.empty() && !found->run && values >= most_values) reason = "the set of states is too large";
+            const bool explores = found != result.verdicts.end() && found->run &&
+                                  (found->pattern == Pattern::AlwaysPossible || found->pattern == Pattern::NoTimelock);
+            if (reason.empty() &&
+                (explores ? values + 16 * states.size() > most_explored : !found->run && values >= most_values))
+                reason = "the set of states is too large";
             if (reason.empty() && found->run) {
                 if (ends_with_race(*found->run)) reason = "the run that proves the verdict ends with a race";
                 else if (!(run = certificate::run_text(flat_, *found->run, most_bytes)))
@@ -242,6 +280,7 @@ private:
     }
 
     Network flat_;
+    const std::string obstacle_;  ///< the reason why no certificate can be written; empty if one can be written
     std::string folder_;
     Certificate& certificate_;
     FragmentLimits limits_ = {};
@@ -268,8 +307,7 @@ Certificate certificate_of(const LoopToCheck& loop, const Report& report, const 
         }
         search.properties = {verdict.property};
         search.timelock = false;
-        more += FolderWriter(expand(observed(loop.network, {*observed_one})), certificate::word_of(verdict.property),
-                             certificate)
+        more += FolderWriter(expand(observed(loop.network, {*observed_one})), folder_of(verdict.property), certificate)
                     .write({&verdict}, search);
     }
     search.properties = {};

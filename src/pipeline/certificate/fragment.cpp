@@ -257,8 +257,11 @@ private:
 
     bool is_decided(const Property& property, const Values& state) {
         if (property.at_stable && value(network_.settled, state) == 0) return false;
-        const auto count =
-            std::ranges::count_if(property.operands, [&](Id<Expr> operand) { return value(operand, state) != 0; });
+        // Two true operands decide `exactly one of`, even if a later operand has no value.
+        const auto is_true = [&, found = 0](Id<Expr> operand) mutable {
+            return found < 2 && value(operand, state) != 0 && ++found != 0;
+        };
+        const auto count = std::ranges::count_if(property.operands, is_true);
         if (property.pattern == Pattern::ExactlyOneOf) return count != 1;
         return (count != 0) != (property.pattern == Pattern::Always);
     }

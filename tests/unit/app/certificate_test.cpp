@@ -122,6 +122,42 @@ TEST(Certificate, ARunProvesAVerdictWithoutACompleteSearch) {
         EXPECT_NE(certified.out.find(claim), std::string::npos) << claim << certified.out;
 }
 
+constexpr const char* lamp_chart =
+    "grafcet lamp { input ON; output LAMP; internal C: int 0..3 = 0; initial step 0; step 1 { LAMP; C := 1 on "
+    "activation; }\n transition on: 0 -> 1 when ON; transition off: 1 -> 0 when !ON; }\n"
+    "closed_loop room { controller lamp; environment a = free(OUT = ON);\n";
+
+/// The bytes of these letters contain 0xc2, which begins the control characters U+0080 to U+009F; the third operand of
+/// `one` has no value in states in which the other two are true; the name is longer than the name of a file may be.
+TEST(Certificate, IsAcceptedForUnusualNamesAndOperands) {
+    const std::string name(900, 'n');
+    for (const std::string& property :
+         {std::string("property \u00b5\u00aa: never LAMP"),
+          std::string("property one: exactly one of {X0, X0 || X1, 6 / C > 2}"),
+          "property " + name + ": X0 leads to X1 within 2s", std::string("property all: inevitable X1 && X0 at stable"),
+          std::string("property always_so: true leads to false")}) {
+        const Folder folder;
+        const std::string file = folder.write("room.grafcet", lamp_chart + property + "; }\n");
+        const Result result = grafverif({"check", file, "--certificate", folder.file("room")});
+        EXPECT_EQ(result.code, ExitCode::Verdict) << result.out << result.err;
+        EXPECT_NE(result.out.find("certificate: 2 of 2 verdicts"), std::string::npos) << property << result.out;
+        const Certified certified = certify(folder.file("room"));
+        EXPECT_EQ(certified.code, 0) << property << certified.out;
+        EXPECT_NE(certified.out.find(": violated, shown by a run"), std::string::npos) << certified.out;
+    }
+}
+
+/// The least number of 64 bits represents an unknown value in a certificate.
+TEST(Certificate, OmitsModelsWithTheLeastNumber) {
+    const Folder folder;
+    const std::string file = folder.write(
+        "room.grafcet", std::string(lamp_chart) + "property r: reachable C > 0 - 9223372036854775807 - 1; }\n");
+    const Result result = grafverif({"check", file, "--certificate", folder.file("room")});
+    EXPECT_NE(result.out.find("r is not certified: a number of the model is too small"), std::string::npos)
+        << result.out << result.err;
+    EXPECT_EQ(certify(folder.file("room")).code, 0);
+}
+
 /// Two subsystems: the right one blocks, the left one moves forever.
 constexpr const char* half_blocked = R"(
 grafcet left { input A; output L; initial step 0; step 1 { L; }

@@ -274,7 +274,7 @@ TEST(McpProtocol, ReadsNoFurtherMessagesOfAFloodWhileTheClientDoesNotRead) {
             [&](std::string_view bytes) {
                 blocked = true;
                 while (!open) std::this_thread::sleep_for(1ms);
-                EXPECT_EQ(Json::parse(bytes)["id"], answers);
+                EXPECT_EQ(Json::parse(bytes)["id"], answers.load());
                 ++answers;
                 return true;
             },
