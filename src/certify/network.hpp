@@ -54,19 +54,17 @@ struct Words {
     Words(std::string name, std::string_view text) : name_(std::move(name)), rest_(text) {}
 
     bool next_line() {
-        // Control characters (of ASCII, or of UTF-8: the byte 0xc2 and a byte below 0xa0) are rejected, because a terminal
+        // Control characters (of ASCII, or of UTF-8: the byte 194 and a byte below 160) are rejected, because a terminal
         // would execute them when a name is printed.
-        const auto is_control = [](unsigned char c) { return c < ' ' || c == 0x7f; };
-        const auto is_pair = [](unsigned char c, unsigned char next) { return c == 0xc2 && next < 0xa0; };
+        const auto bad = [](unsigned char a, unsigned char b) { return a < ' ' || a == 127 || (a == 194 && b < 160); };
         if (!at_end()) fail("unexpected `" + std::string(word()) + "`");
         if (rest_.empty()) return false;
-        const Index end = rest_.find('\n');
-        if (end == std::string_view::npos) fail("the last line is incomplete");
-        line_ = rest_.substr(0, end);
-        rest_.remove_prefix(end + 1);
+        const std::string_view text = rest_.substr(0, rest_.find('\n') + 1);
+        if (text.empty()) fail("the last line is incomplete");
+        line_ = text.substr(0, text.size() - 1);
+        rest_.remove_prefix(text.size());
         ++number_;
-        if (std::ranges::any_of(line_, is_control) || std::ranges::adjacent_find(line_, is_pair) != line_.end())
-            fail("the line contains a control character");
+        if (std::ranges::adjacent_find(text, bad) != text.end()) fail("the line contains a control character");
         return true;
     }
     /// Reads the first line: the kind and the version of the file.
