@@ -34,8 +34,12 @@ void Machine::expand(const Word* words, Moves& moves) const {
             freed |= at.frees;
             always = always || at.always;
             if (at.clocks != Program::yes && test(program_, at.clocks, words, registers).end != End::Yes) continue;
-            if (guard == End::Yes) fire(edge, words, moves);
-            else if (!moves.fault) moves.fault = Fault{End::NoValue, edge, 0};
+            if (guard == End::Yes) {
+                fire(edge, words, moves);
+                continue;
+            }
+            moves.urgent = moves.urgent || at.urgent;  // as in add_move: time does not pass before a model error
+            if (!moves.fault) moves.fault = Fault{End::NoValue, edge, 0};
         }
         if (const Word open = row.bounds & ~covered; open != 0 && !moves.stuck_bound)
             moves.stuck_bound = UncoveredBound{process, static_cast<std::uint32_t>(std::countr_zero(open))};

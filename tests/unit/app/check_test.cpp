@@ -364,6 +364,23 @@ TEST(Check, ReadsTheVerdictsOfVerifyta) {
     EXPECT_TRUE(property["trace"].is_null());
 }
 
+/// The guard of an urgent edge of the observer is undefined at power-on: no run continues from there, not even by a
+/// delay, so that the replay accepts the run of the model error.
+TEST(Check, ARunEndsWithAnUndefinedGuard) {
+    const Folder folder;
+    const Result result =
+        grafverif({"check", folder.write("room.grafcet",
+                                         "grafcet c { input a; output L; internal C: int 0..3 = 0; initial step 0;\n"
+                                         "step 1 { L; C := 1 on activation; } transition t: 0 -> 1 when a;\n"
+                                         "transition u: 1 -> 0 when !a; }\n"
+                                         "closed_loop l { controller c; environment B = free(OUT = a);\n"
+                                         "property p: X0 holds at most 1s before 6 / C > 2; }\n")});
+    EXPECT_EQ(result.err, "");
+    const std::string error = "model error: division by zero, in `p_watch`";
+    EXPECT_NE(result.out.find(error), std::string::npos) << result.out;
+    EXPECT_EQ(result.out.find(error), result.out.rfind(error)) << result.out;
+}
+
 TEST(Check, TheTimedEngineNeedsAClosedLoop) {
     const Folder folder;
     const Result result = grafverif({"check", "--engine", "timed",
