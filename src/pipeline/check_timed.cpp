@@ -113,7 +113,7 @@ public:
         apply_probes(network_.properties, result.verdicts);
         for (Verdict& verdict : result.verdicts) {
             if (verdict.about.valid() && is_probe(network_.properties[verdict.about])) continue;
-            std::optional<Run> run = verdict.run;
+            std::optional<Run> run = explains_ ? verdict.run : std::nullopt;
             if (verdict.outcome == Outcome::Holds && !options_.witnesses) verdict.run.reset();
             if (verdict.run && !replays(*verdict.run, fmt::format("the trace of `{}`", verdict.property))) {
                 verdict.run.reset();
@@ -122,7 +122,7 @@ public:
             if (verdict.run && verdict.outcome == Outcome::Violated)
                 violations.push_back({report.answers.size(), *verdict.run});
             report.answers.push_back(result_of(network_, std::move(verdict), detail_));
-            if (explains_) report.answers.back().verdict.run = std::move(run);
+            report.answers.back().verdict.run = std::move(run);
         }
         if (!loop_.disabled_corrections && !is_watched() && explains_) {
             explain(network_, violations, again(result, options_.limits), options_.limits, report);

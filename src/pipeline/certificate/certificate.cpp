@@ -68,7 +68,7 @@ class FolderWriter {
 public:
     FolderWriter(Network flat, std::string folder, Certificate& certificate)
         : flat_(std::move(flat)),
-          obstacle_(certificate::obstacle(flat_)),
+          unwritable_(certificate::obstacle(flat_)),
           folder_(std::move(folder)),
           certificate_(certificate) {}
 
@@ -88,7 +88,7 @@ public:
         std::vector<std::pair<const Verdict*, std::string>> by_runs;
         for (const Verdict* verdict : others) {
             if (verdict->outcome == Outcome::Unknown) omit(*verdict, "the verdict is unknown");
-            else if (!obstacle_.empty()) omit(*verdict, obstacle_);
+            else if (!unwritable_.empty()) omit(*verdict, unwritable_);
             else if (std::optional<std::string> run = proving_run(*verdict)) by_runs.emplace_back(verdict, *run);
             else known.push_back(verdict);
         }
@@ -122,27 +122,30 @@ private:
         if (!verdict.run || verdict.outcome != outcome || ends_with_race(*verdict.run)) return {};
         if (!decides(flat_, *verdict.run, property.pattern)) return {};
         const std::vector<NetworkState> states = replay(flat_, *verdict.run).value();
-        const auto is_proved = is_liveness(property.pattern) ? avoids(property, states, verdict.run->loop)
+        const bool is_proved = is_liveness(property.pattern) ? avoids(property, states, verdict.run->loop)
                                                              : ends_with_decision(property, states.back());
         return is_proved ? certificate::run_text(flat_, *verdict.run, most_bytes) : std::nullopt;
     }
 
-    /// True if the term has a value other than 0 in the state; with `at stable`, only if the state is also quiescent.
+    /// False if the property has `at stable` and the state is not quiescent.
+    bool concerns(const Property& property, const NetworkState& state) const {
+        return !property.at_stable || value(flat_, state, flat_.settled) == 1;
+    }
+
+    /// True if the property concerns the state, and the term has a value other than 0.
     bool holds(const Property& property, Id<Expr> term, const NetworkState& state) const {
-        if (property.at_stable && value(flat_, state, flat_.settled) != 1) return false;
-        return value(flat_, state, term).value_or(0) != 0;
+        return concerns(property, state) && value(flat_, state, term).value_or(0) != 0;
     }
 
     /// True if the state violates a property about single states (for `reachable`: satisfies it).
     bool ends_with_decision(const Property& property, const NetworkState& state) const {
-        if (property.at_stable && value(flat_, state, flat_.settled) != 1) return false;
         const std::vector<Id<Expr>>& operands = property.operands;
+        const auto is_true = [&](Id<Expr> term) { return holds(property, term, state); };
         switch (property.pattern) {
-        case Pattern::Always: return value(flat_, state, operands[0]) == 0;
+        case Pattern::Always: return concerns(property, state) && value(flat_, state, operands[0]) == 0;
         case Pattern::Never:
-        case Pattern::Reachable: return value(flat_, state, operands[0]).value_or(0) != 0;
-        case Pattern::ExactlyOneOf:
-            return std::ranges::count_if(operands, [&](Id<Expr> term) { return holds(property, term, state); }) != 1;
+        case Pattern::Reachable: return is_true(operands[0]);
+        case Pattern::ExactlyOneOf: return concerns(property, state) && std::ranges::count_if(operands, is_true) != 1;
         default: return false;
         }
     }
@@ -162,7 +165,7 @@ private:
 
     /// Returns the verdicts that fragments do not prove.
     std::vector<const Verdict*> prove_by_fragments(const std::vector<const Verdict*>& verdicts) {
-        if (verdicts.empty() || !obstacle_.empty()) return verdicts;
+        if (verdicts.empty() || !unwritable_.empty()) return verdicts;
         FragmentProofs proofs(flat_, limits_);
         std::vector<const Verdict*> open, proved;
         for (const Verdict* verdict : verdicts)
@@ -184,7 +187,7 @@ private:
     /// Proves a `no deadlock` that holds for each independent subsystem.
     bool prove_by_subsystems(const Verdict& verdict) {
         const bool is_separate = !verdict.scope.searched.empty() || !verdict.scope.left_out.empty();
-        if (verdict.pattern != Pattern::NoDeadlock || !is_separate || !obstacle_.empty()) return false;
+        if (verdict.pattern != Pattern::NoDeadlock || !is_separate || !unwritable_.empty()) return false;
         if (verdict.outcome == Outcome::Unknown) return false;
         const Property property = reported_property(flat_, verdict);
         std::optional<std::vector<FragmentStates>> parts;
@@ -280,7 +283,7 @@ private:
     }
 
     Network flat_;
-    const std::string obstacle_;  ///< the reason why no certificate can be written; empty if one can be written
+    const std::string unwritable_;  ///< the reason why the format cannot represent the network; empty if it can
     std::string folder_;
     Certificate& certificate_;
     FragmentLimits limits_ = {};
