@@ -5,6 +5,7 @@
 #include <string>
 
 #include "ir/interval.hpp"
+#include "ir/network/variables.hpp"
 #include "support/messages.hpp"
 
 namespace grafverif {
@@ -30,10 +31,6 @@ private:
     std::size_t errors_ = 0;
     Span last_ = {};
 };
-
-Type type_of(const Network& network, const Expr& leaf) {
-    return leaf.op == Op::Variable ? network.variables[{static_cast<std::uint32_t>(leaf.value)}].type : Type{};
-}
 
 /// Checks the terms of one template. A constant of the template has the range of the arguments that processes pass.
 class TemplatePlaces {

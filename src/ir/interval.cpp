@@ -94,6 +94,23 @@ std::vector<Interval> intervals(const Exprs& exprs, const TypeOf& type_of) {
 
 bool is_clipped(const Interval& interval) { return interval.low == least || interval.high == greatest; }
 
+std::vector<bool> terms_with_values(const Exprs& exprs, const TypeOf& type_of) {
+    std::vector<bool> found;
+    for (const Interval& own : intervals(exprs, type_of)) {
+        const Id<Expr> term{static_cast<std::uint32_t>(found.size())};
+        const Expr& node = exprs[term];
+        const std::span<const Id<Expr>> operands = exprs.operands(term);
+        bool has_value = !is_arithmetic(node.op) || !is_clipped(own);
+        if (node.op == Op::Divide || node.op == Op::Modulo) {
+            const Expr& divisor = exprs[operands[1]];
+            has_value = has_value && divisor.op == Op::Integer && divisor.value != 0 && divisor.value != -1;
+        }
+        found.push_back(has_value &&
+                        std::ranges::all_of(operands, [&](Id<Expr> operand) { return found[operand.index]; }));
+    }
+    return found;
+}
+
 bool is_wide(std::int64_t low, std::int64_t high) {
     return low < std::numeric_limits<std::int32_t>::min() || high > std::numeric_limits<std::int32_t>::max();
 }

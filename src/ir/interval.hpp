@@ -28,6 +28,9 @@ std::vector<Interval> intervals(const Exprs& exprs, const TypeOf& type_of);
 /// True if a bound of the interval is a limit of the range of 64-bit integers, so that the bound may have been clipped.
 bool is_clipped(const Interval& interval);
 
+/// For each term of the table: true if the analysis shows that the term always has a value. Divisors must be constants.
+std::vector<bool> terms_with_values(const Exprs& exprs, const TypeOf& type_of);
+
 /// True if the range [low, high] does not fit into 32-bit integers.
 bool is_wide(std::int64_t low, std::int64_t high);
 

@@ -2,12 +2,12 @@
 #include "check/localization/faults.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <vector>
 
 #include "ir/interval.hpp"
 #include "ir/junction.hpp"
+#include "ir/network/variables.hpp"
 #include "ir/slots.hpp"
 
 namespace grafverif {
@@ -21,22 +21,6 @@ constexpr std::int64_t most_combinations = 4096;  // maximum number of value com
 class Faults {
 public:
     explicit Faults(const Network& network) : network_(network) {}
-
-    bool has_value(Id<Expr> term) {
-        if (!known_.insert(term).second) return true;
-        const Expr& node = network_.exprs[term];
-        const auto operands = network_.exprs.operands(term);
-        if (node.op == Op::Divide || node.op == Op::Modulo) {
-            const Expr& divisor = network_.exprs[operands[1]];
-            if (divisor.op != Op::Integer || divisor.value == 0 || divisor.value == -1) return false;
-        }
-        if (is_arithmetic(node.op)) {
-            const Interval values = interval_of(term);
-            if (values.low == std::numeric_limits<std::int64_t>::min()) return false;
-            if (values.high == std::numeric_limits<std::int64_t>::max()) return false;
-        }
-        return std::ranges::all_of(operands, [this](Id<Expr> operand) { return has_value(operand); });
-    }
 
     /// True if the analysis shows that the value of the k-th assignment of an edge is always in the range of its target
     /// variable. The analysis considers the guard of the edge only if no previous assignment changes a variable that
@@ -82,8 +66,7 @@ private:
     static Variable variable_of(const Expr& leaf) { return {static_cast<std::uint32_t>(leaf.value)}; }
     Variable variable_of(Id<Expr> leaf) const { return variable_of(network_.exprs[leaf]); }
     Interval interval_of(Id<Expr> term) const {
-        return interval(network_.exprs, term,
-                        [this](const Expr& leaf) { return network_.variables[variable_of(leaf)].type; });
+        return interval(network_.exprs, term, [this](const Expr& leaf) { return type_of(network_, leaf); });
     }
     bool reads_some(Id<Expr> term, const std::map<std::int64_t, std::int64_t>& of) const {
         return std::ranges::any_of(leaves(network_.exprs, term),
@@ -99,19 +82,19 @@ private:
     }
 
     const Network& network_;
-    std::set<Id<Expr>> known_ = {};  // terms that always have a value, and terms whose analysis has begun
 };
 
 }  // namespace
 
 bool terms_have_values(const Network& network) {
-    Faults faults(network);
+    const std::vector<bool> have_values =
+        terms_with_values(network.exprs, [&](const Expr& leaf) { return type_of(network, leaf); });
     for (const Id<Network::Process> id : network.processes.ids()) {
         const Slots slots(network, id);
         for (const Network::Edge& edge : slots.automaton.edges) {
-            if (!faults.has_value(edge.guard)) return false;
+            if (!have_values[edge.guard.index]) return false;
             for (const Network::Assignment& assignment : slots.assignments(edge))
-                if (!faults.has_value(assignment.value)) return false;
+                if (!have_values[assignment.value.index]) return false;
         }
     }
     return true;

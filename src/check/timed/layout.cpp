@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "ir/interval.hpp"
+#include "ir/network/variables.hpp"
 #include "ir/network_subsystems.hpp"
 
 namespace grafverif::timed {
@@ -82,29 +84,48 @@ std::vector<std::vector<Id<Network::Variable>>> written_by_process(const Network
 }  // namespace
 
 VariableSet unread_variables(const Network& network) {
-    VariableSet unread(network.variables.size());
-    for (const Id<Network::Variable> id : network.variables.ids())
-        unread[id.index] = network.variables[id].type.boolean && !network.variables[id].scratch && id != network.race;
-    const auto take = [&](Id<Expr> term) {
-        for (const Id<Expr> leaf : leaves(network.exprs, term)) {
-            const Expr& node = network.exprs[leaf];
-            if (node.op == Op::Variable) unread[static_cast<std::size_t>(node.value)] = false;
+    const TypeOf type = [&](const Expr& leaf) { return type_of(network, leaf); };
+    const std::vector<bool> have_values = terms_with_values(network.exprs, type);
+    const std::vector<grafverif::Interval> values = grafverif::intervals(network.exprs, type);
+    VariableSet read(network.variables.size());
+    std::vector<Id<Network::Variable>> open;
+    const auto take = [&](Id<Network::Variable> variable) {
+        if (read[variable.index]) return;
+        read[variable.index] = true;
+        open.push_back(variable);
+    };
+    const auto take_all = [&](Id<Expr> term) { each_variable(network.exprs, term, take); };
+    if (network.race.valid()) take(network.race);
+    for (const Network::Controller& controller : network.controllers)
+        if (controller.stable.valid()) take(controller.stable);
+    if (network.settled.valid()) take_all(network.settled);
+    for (const Property& property : network.properties) std::ranges::for_each(property.operands, take_all);
+    std::vector<std::vector<Id<Expr>>> assigned(network.variables.size());  // per variable: the terms assigned to it
+    const auto add = [&](const std::vector<Network::Assignment>& assignments) {
+        for (const Network::Assignment& assignment : assignments) {
+            const Id<Network::Variable> target = variable_of(network.exprs, assignment.target);
+            const Type& range = network.variables[target].type;
+            const grafverif::Interval& of_value = values[assignment.value.index];
+            assigned[target.index].push_back(assignment.value);
+            const bool fits = range.boolean || (range.low <= of_value.low && of_value.high <= range.high);
+            if (!fits || !have_values[assignment.value.index]) take_all(assignment.value);
         }
     };
-    const auto values = [&](const std::vector<Network::Assignment>& assignments) {
-        for (const Network::Assignment& assignment : assignments) take(assignment.value);
-    };
-    for (const Network::Controller& controller : network.controllers)
-        if (controller.stable.valid()) unread[controller.stable.index] = false;
-    if (network.settled.valid()) take(network.settled);
-    for (const Property& property : network.properties) std::ranges::for_each(property.operands, take);
     for (const Network::Template& automaton : network.templates) {
-        for (const Network::Procedure& procedure : automaton.procedures) values(procedure.assignments);
+        for (const Network::Procedure& procedure : automaton.procedures) add(procedure.assignments);
         for (const Network::Edge& edge : automaton.edges) {
-            take(edge.guard);
-            values(edge.assignments);
+            take_all(edge.guard);
+            add(edge.assignments);
         }
     }
+    while (!open.empty()) {
+        const Id<Network::Variable> variable = open.back();
+        open.pop_back();
+        std::ranges::for_each(assigned[variable.index], take_all);
+    }
+    VariableSet unread(network.variables.size());
+    for (const Id<Network::Variable> id : network.variables.ids())
+        unread[id.index] = !read[id.index] && !network.variables[id].scratch;
     return unread;
 }
 

@@ -70,7 +70,9 @@ struct Layout {
 /// A set of variables of a network: one element per variable, which is true if the set contains the variable.
 using VariableSet = std::vector<bool>;
 
-/// Returns the Boolean variables that no edge and no property of `network` reads. Requires that `network` is expanded.
+/// Returns the variables of `network` that affect neither a guard, nor a property, nor a model error. Such variables are
+/// read only in assignments to such variables, for example a counter that only counts. Requires that `network` is
+/// expanded.
 VariableSet unread_variables(const Network& network);
 
 /// Computes the layout of `network`, which must be expanded. Variables for which `unread` is true are not stored; they

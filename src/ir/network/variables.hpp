@@ -30,4 +30,9 @@ inline bool has_conjunct(const Exprs& exprs, Id<Expr> guard, Id<Network::Variabl
     });
 }
 
+/// Returns the type of a variable; other leaves are Boolean.
+inline Type type_of(const Network& network, const Expr& leaf) {
+    return leaf.op == Op::Variable ? network.variables[{static_cast<std::uint32_t>(leaf.value)}].type : Type{};
+}
+
 }  // namespace grafverif

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Tests that the state store returns stored states unchanged, and finds them again.
+// Tests that the state store returns stored states unchanged, finds them again, and omits only variables without
+// effect.
 #include "check/timed/store/store.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
+#include <string>
 #include <vector>
 
+#include "check/timed/layout.hpp"
 #include "check/timed/store/packed_states.hpp"
+#include "support/read_loop.hpp"
 
 namespace grafverif::timed {
 namespace {
@@ -105,6 +110,7 @@ TEST(PackedStates, AreNumberedInTheOrderOfInsertionAndFoundAgain) {
             state.front() = some(i, 14);
             state.back() = (state.back() << 32U) ^ some(i, 14);
             const auto [known, is_new] = expected.emplace(state, static_cast<std::uint32_t>(addresses.size()));
+            ASSERT_EQ(states.contains(state.data()), !is_new);
             const PackedStates::Added added = states.add(state.data());
             ASSERT_EQ(added.is_new, is_new);
             ASSERT_EQ(added.state, known->second);
@@ -117,6 +123,29 @@ TEST(PackedStates, AreNumberedInTheOrderOfInsertionAndFoundAgain) {
         }
         ASSERT_GE(states.bytes(), expected.size() * (words + 1) * sizeof(Word));
     }
+}
+
+/// `counts` only counts, and `copies` only copies it. The value of `leaves` may leave its range, the chart reads `read`,
+/// and `read` depends on `feeds`.
+TEST(UnreadVariables, AffectNoGuardAndNoModelError) {
+    const std::string text =
+        "grafcet c { input A; output LAMP; internal counts: int 0..9 = 0; internal copies: int 0..9 = 0; internal "
+        "leaves: "
+        "int 0..9 = 0; internal read: int 0..9 = 0; internal feeds: int 0..9 = 0; initial step 0; step 1 { LAMP; "
+        "counts "
+        ":= (counts + 1) % 10 on activation; copies := counts on activation; leaves := leaves + 1 on activation; read "
+        ":= "
+        "feeds on activation; feeds := (feeds + 1) % 10 on activation; } transition t0: 0 -> 1 when A && read < 9; "
+        "transition t1: 1 -> 0 when !A; }\nclosed_loop l { controller c; environment EA = push_button(OUT = A); }\n";
+    const Network network = expand(read_loop(text).network);
+    const VariableSet unread = unread_variables(network);
+    const auto is_unread = [&](const std::string& name) {
+        const auto found = std::ranges::find(network.variables, name, &Network::Variable::name);
+        EXPECT_NE(found, network.variables.end()) << name;
+        return found != network.variables.end() && unread[static_cast<std::size_t>(found - network.variables.begin())];
+    };
+    for (const char* const name : {"counts", "copies", "LAMP"}) EXPECT_TRUE(is_unread(name)) << name;
+    for (const char* const name : {"leaves", "read", "feeds", "A"}) EXPECT_FALSE(is_unread(name)) << name;
 }
 
 }  // namespace

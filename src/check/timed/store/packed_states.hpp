@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "check/timed/layout.hpp"
@@ -22,6 +23,7 @@ public:
     };
     /// Adds a state, unless the set contains it, and returns its number. The set can contain 2^32 - 1 states.
     Added add(const timed::Word* words);
+    bool contains(const timed::Word* words) const;
     /// Removes all states.
     void clear();
 
@@ -39,6 +41,7 @@ private:
     /// A slot of the hash table: the number of a state plus 1, and the lower half of the hash value of the state; 0 for
     /// a free slot.
     using Slot = std::uint64_t;
+    std::optional<std::uint32_t> find(const timed::Word* words, std::uint32_t hash) const;
     void put(Slot slot);
     void grow();
 
