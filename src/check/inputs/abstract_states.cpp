@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "check/timed/store/store.hpp"
+#include "ir/variable_users.hpp"
+
 namespace grafverif {
 
+using timed::VariableSet;
 using timed::Word;
 
 std::vector<InputLevel> panel_levels(const Network& loop, const std::vector<AbstractableProcess>& instances,
@@ -42,16 +46,46 @@ std::vector<InputLevel> levels_with_plant(const Network& loop, const std::vector
     return levels;
 }
 
+namespace {
+
+/// Returns the variables that affect no guard, no property and no model error, and that no process except PLCs reads.
+VariableSet unstored_variables(const Network& loop) {
+    VariableSet unstored = timed::unread_variables(loop);
+    const VariableUsers users(loop);
+    for (const Id<Network::Variable> id : loop.variables.ids())
+        if (!std::ranges::includes(users.plcs, users.readers[id.index])) unstored[id.index] = false;
+    return unstored;
+}
+
+}  // namespace
+
 AbstractStates::AbstractStates(const Network& loop, const std::vector<AbstractableProcess>& instances,
-                               const std::vector<InputLevel>& levels) {
+                               const std::vector<InputLevel>& levels)
+    : unstored_(loop.variables.size()) {
+    begin(loop, instances, levels);
+}
+
+AbstractStates::AbstractStates(const Network& loop, const std::vector<AbstractableProcess>& instances,
+                               const std::vector<InputLevel>& levels, const std::string& property, Admits admits)
+    : admits_(std::move(admits)), records_(true) {
+    Network one = loop;  // the loop with only one property
+    for (const Property& other : std::exchange(one.properties, {}))
+        if (other.name == property) one.properties.add(other);
+    one.settled = {};
+    unstored_ = unstored_variables(one);
+    begin(one, instances, levels);
+}
+
+void AbstractStates::begin(const Network& loop, const std::vector<AbstractableProcess>& instances,
+                           const std::vector<InputLevel>& levels) {
     InputAbstraction abstraction = abstract_inputs(loop, instances, levels);
     network_ = grafverif::expand(abstraction.network);
-    machine_.emplace(network_, std::move(abstraction.choices));
+    machine_.emplace(network_, std::move(abstraction.choices), unstored_);
     const timed::Layout& layout = machine_->layout();
     states_ = std::make_unique<PackedStates>(layout.stored);
     now_.assign(layout.words, 0);
     failed_ = !layout.fits() || machine_->timed();
-    if (!failed_) states_->add(timed::packed_initial(network_, layout).data());
+    if (!failed_ && !admits_) states_->add(timed::packed_initial(network_, layout).data());
 }
 
 bool AbstractStates::all_wait(const Word* words) const {
@@ -68,7 +102,9 @@ const timed::Moves& AbstractStates::expand(std::uint32_t state, bool with_choice
 }
 
 std::uint32_t AbstractStates::successor(std::size_t move) {
-    return states_->add(moves_.words.data() + move * machine_->layout().words).state;
+    const Word* const words = moves_.words.data() + move * machine_->layout().words;
+    if (admits_ && !admits_(now_.data(), moves_.edges[move], words)) return timed::Store::none;
+    return states_->add(words).state;
 }
 
 /// True if the expanded state permits the use of the abstraction: the state has no model error, no race and not too
@@ -87,11 +123,15 @@ bool AbstractStates::is_supported() const {
 
 std::optional<bool> AbstractStates::run(const FollowLimits& limits) {
     for (std::size_t polls = 0; !failed_ && next_ < states_->size(); ++polls) {
-        if (states_->size() >= limits.states || states_->bytes() > limits.bytes) return {};
+        if (states_->size() >= limits.states || bytes() > limits.bytes) return {};
         if (polls % search_poll_interval == 0 && is_over(limits.deadline, limits.stop)) return {};
         expand(static_cast<std::uint32_t>(next_++));
         failed_ = !is_supported();
-        for (std::size_t move = 0; move < moves_.edges.size() && !failed_; ++move) successor(move);
+        if (records_) first_moves_.push_back(recorded_.size());
+        for (std::size_t move = 0; move < moves_.edges.size() && !failed_; ++move) {
+            const std::uint32_t next = successor(move);
+            if (records_) recorded_.push_back({moves_.edges[move], next});
+        }
     }
     return !failed_;
 }

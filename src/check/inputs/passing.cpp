@@ -200,7 +200,7 @@ std::optional<bool> InputAbstractionCheck::prove_possible(std::size_t k, const F
 std::optional<bool> InputAbstractionCheck::prove_response(std::size_t k, const FollowLimits& limits) {
     if (!takes_time_) takes_time_ = takes_time(loop_);
     if (!*takes_time_ && !ablations_.need_not_take_time) return false;
-    const ResponseResult result = grafverif::prove_response(loop_, instances_, property_of_loop(k), limits);
+    const ResponseResult result = grafverif::prove_response(loop_, instances_, property_of_loop(k), limits, ablations_);
     result_.states += result.states;
     if (!result.holds || !*result.holds) return result.holds;
     Verdict found;

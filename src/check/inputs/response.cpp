@@ -2,19 +2,16 @@
 #include "check/inputs/response.hpp"
 
 #include <algorithm>
+#include <map>
+#include <memory>
 #include <set>
-#include <unordered_map>
 
-#include "check/inputs/abstract_states.hpp"
-#include "check/timed/components.hpp"
+#include "check/inputs/avoiding_runs.hpp"
 #include "ir/slots.hpp"
 
 namespace grafverif {
 
 namespace {
-
-using timed::End;
-using timed::Word;
 
 /// Returns all processes whose locations the property reads and all instances whose outputs the property reads.
 std::set<Id<Network::Process>> instances_read_by(const Network& loop, const std::vector<AbstractableProcess>& instances,
@@ -32,183 +29,173 @@ std::set<Id<Network::Process>> instances_read_by(const Network& loop, const std:
     return found;
 }
 
-class Response {
+class ResponseProof {
 public:
-    Response(const Network& loop, const std::vector<AbstractableProcess>& instances, const Property& property,
-             const std::vector<InputLevel>& levels)
-        : loop_(loop),
-          states_(loop, instances, levels),
-          property_(*std::ranges::find(states_.network().properties, property.name, &Property::name)),
-          is_inevitable_(property.pattern == Pattern::Inevitable),
-          p_(is_inevitable_ ? timed::Program::yes : compiled(property_.operands.front())),
-          q_(compiled(property_.operands.back())),
-          is_stored_(loop.processes.size(), true) {
-        for (std::size_t i = 0; i < instances.size(); ++i)
-            is_stored_[instances[i].process.index] = levels[i] != InputLevel::Chosen;
+    using Levels = AvoidingRuns::Levels;
+
+    ResponseProof(const Network& loop, const std::vector<AbstractableProcess>& instances, const Property& property,
+                  const FollowLimits& limits, const InputAblations& ablations)
+        : loop_(loop), instances_(instances), property_(property), limits_(limits), ablations_(ablations) {
+        const std::set<Id<Network::Process>> read = instances_read_by(loop, instances, property);
+        finest_ = panel_levels(loop, instances, read);
+        coarsest_ = levels_with_plant(loop, instances, finest_, read);
     }
 
-    std::optional<bool> run(const FollowLimits& limits) {
-        if (const std::optional<bool> found = states_.run(limits); !found || !*found) return found;
-        TimedOptions options;
-        options.deadline = limits.deadline;
-        options.stop = limits.stop;
-        const timed::Limits polled(options);
-        try {
-            return no_run_avoids(polled);
-        } catch (const timed::Limits::Stop&) {
-            return {};
-        }
+    ResponseResult result() {
+        result_.levels = coarsest_;
+        const std::optional<bool> holds = excludes(coarsest_, nullptr);
+        if (const auto first = explored_.find(coarsest_); first != explored_.end())
+            result_.vacuous = first->second.vacuous();
+        result_.holds = limited_ && holds == false ? std::nullopt : holds;
+        return result_;
     }
-
-    bool vacuous() const { return !requested_; }
-    /// Returns the Chosen instances (indices in the list of instances) whose values can end the runs without q that
-    /// `run` has found.
-    const std::set<std::size_t>& deciding() const { return deciding_; }
-    std::size_t states() const { return states_.size(); }
 
 private:
-    /// Properties of a strongly connected component of states without q.
-    struct Component {
-        bool urgent = true;                // true if an urgent edge is enabled in each state of the component
-        std::vector<bool> moves = {};      // per process: true if one of its edges connects two states of the component
-        std::vector<bool> unbounded = {};  // per process: true if, in some state, the invariant of its location has no
-                                           // bound
+    /// The runs that remain in an abstraction.
+    struct Remaining {
+        std::unique_ptr<AvoidingRuns> runs = {};
+        std::vector<Remainder> remainders = {};
+        std::size_t situations = 0;  // number of situations of the coarser abstraction in which the runs remain
     };
 
-    std::uint32_t compiled(Id<Expr> term) {
-        return states_.machine().compiler().condition(term, timed::Program::yes, timed::Program::no);
+    FollowLimits left() const {  // the abstractions share the limits
+        FollowLimits limits = limits_;
+        limits.states -= std::min(limits.states, result_.states);
+        limits.bytes -= std::min(limits.bytes, bytes_);
+        return limits;
     }
 
-    /// True if `term` is true or undefined in the state.
-    bool may_hold(std::uint32_t term, std::uint32_t state) {
-        return states_.machine().holds(term, states_.words(state), registers_) != End::No;
-    }
-    bool is_goal(std::uint32_t state) {
-        return states_.machine().holds(q_, states_.words(state), registers_) == End::Yes;
-    }
-
-    bool is_urgent(const timed::Moves& moves) const {
-        return std::ranges::any_of(moves.edges, [&](std::uint32_t move) {
-            const auto process = states_.machine().process_of(move);
-            const auto edge = states_.machine().edge_of(move);
-            const Network::Template& automaton = loop_.templates[loop_.processes[process].automaton];
-            return edge.index < automaton.edges.size() && automaton.edges[edge].urgent;
-        });
+    /// Adds the result of an exploration. Returns true if the exploration is complete.
+    bool is_complete(const AvoidingRuns& runs, const std::optional<bool>& explored) {
+        result_.states += runs.states();
+        bytes_ += runs.bytes();
+        limited_ = limited_ || !explored;
+        if (explored != true) return false;
+        for (std::size_t i = 0; i < result_.levels.size(); ++i)
+            result_.levels[i] = std::max(result_.levels[i], runs.levels()[i]);
+        return true;
     }
 
-    /// True if the process is stored, and the invariant of its location in the state has a bound.
-    bool is_bounded(std::uint32_t process, std::uint32_t state) const {
-        if (!is_stored_[process]) return false;
-        const auto location = states_.machine().layout().locations[process].get(states_.words(state));
-        const Network::Template& automaton = loop_.templates[loop_.processes[{process}].automaton];
-        return !automaton.locations[{static_cast<std::uint32_t>(location)}].invariant.empty();
+    /// Returns the states of a Chosen process; null if the process is not supported.
+    const ProcessStates* local(std::size_t instance) {
+        const Id<Network::Process> id = instances_[instance].process;
+        const auto [found, is_new] = locals_.try_emplace(instance, loop_, users_, clocks_[id.index], id, unlimited_);
+        if (is_new && !found->second.explore()) unsupported_.insert(instance);
+        return unsupported_.contains(instance) ? nullptr : &found->second;
     }
 
-    bool no_run_avoids(const timed::Limits& limits) {
-        timed::Components components(states_.size(), limits, [&](std::uint32_t state, const auto& take) {
-            const std::size_t moves = states_.expand(state).edges.size();
-            for (std::size_t move = 0; move < moves; ++move)
-                if (const std::uint32_t next = states_.successor(move); !is_goal(next)) take(next);
-        });
-        for (std::uint32_t state = 0; state < (is_inevitable_ ? 1 : states_.size()); ++state) {
-            if (!may_hold(p_, state)) continue;
-            requested_ = true;
-            if (!is_goal(state)) components.visit(state);
-        }
-        std::unordered_map<std::uint32_t, Component> found;
-        for (std::uint32_t state = 0; state < states_.size(); ++state) {
-            limits.poll();
-            if (components.of(state) == timed::Store::none) continue;
-            if (may_stay(state)) return fails_in(components.of(state), components, limits);
-            if (components.has_cycle(state)) add(state, components, found[components.of(state)]);
-        }
-        const auto repeated = std::ranges::find_if(found, [&](const auto& entry) { return may_repeat(entry.second); });
-        return repeated == found.end() || fails_in(repeated->first, components, limits);
+    /// Returns the number of combinations of states of the processes that `fine` stores and `coarse` does not store.
+    std::size_t combinations(const Levels& coarse, const Levels& fine) {
+        std::size_t found = 1;
+        for (std::size_t i = 0; i < fine.size(); ++i)
+            if (const ProcessStates* const states = fine[i] == coarse[i] ? nullptr : local(i))
+                found *= std::max<std::size_t>(states->states().size(), 1);
+        return found;
     }
 
-    /// Finds the Chosen instances whose values enable moves out of `component`, in which a run may stay. Returns false.
-    template <class Components>
-    bool fails_in(std::uint32_t component, const Components& components, const timed::Limits& limits) {
-        const std::vector<InputChoice>& choices = states_.machine().choices();
-        for (std::uint32_t state = 0; state < states_.size(); ++state) {
-            limits.poll();
-            if (components.of(state) != component) continue;
-            const timed::Moves& moves = states_.expand(state, true);
-            for (std::size_t move = 0; move < moves.edges.size(); ++move) {
-                if (components.of(states_.successor(move)) == component) continue;
-                for (std::size_t i = 0; i < choices.size(); ++i) {
-                    if (states_.machine().process_of(moves.edges[move]) != choices[i].plc) continue;
-                    const Word all = ~Word{0} >> (64 - choices[i].valuations.size());
-                    if ((moves.chosen[move * choices.size() + i] & all) != all) deciding_.insert(choices[i].instance);
-                }
+    /// Explores a refinement of `coarser` in the situations of the remainder. Returns nullopt if the refinement is not
+    /// supported, or a limit is reached.
+    std::optional<Remaining> refined(const AvoidingRuns& coarser, const Remainder& remainder, const Levels& levels) {
+        std::vector<const ProcessStates*> stored;
+        for (std::size_t i = 0; i < levels.size(); ++i)
+            if (levels[i] != coarser.levels()[i]) {
+                stored.push_back(local(i));
+                if (stored.back() == nullptr) return {};
             }
+        Remaining made{std::make_unique<AvoidingRuns>(loop_, instances_, property_, levels, &remainder)};
+        ++result_.refinements;
+        if (!is_complete(*made.runs, made.runs->explore(coarser, stored, left(), ablations_))) return {};
+        auto remainders = made.runs->remaining(nullptr, limits_);
+        limited_ = limited_ || !remainders;
+        if (!remainders) return {};
+        made.remainders = std::move(*remainders);
+        made.situations = count_of(made.remainders, remainder.last.columns);
+        return made;
+    }
+
+    /// Excludes runs that avoid q and finally remain in the situations `within` (all situations, if null). Explores all
+    /// states of the abstraction.
+    std::optional<bool> excludes(const Levels& levels, const Situations* within) {
+        const auto [found, is_new] = explored_.try_emplace(levels, loop_, instances_, property_, levels);
+        AvoidingRuns& runs = found->second;
+        if (is_new && !is_complete(runs, runs.explore(left()))) failed_.insert(levels);
+        if (failed_.contains(levels)) return false;
+        const auto remainders = runs.remaining(within, limits_);
+        if (!remainders) return {};
+        for (const Remainder& one : *remainders) {
+            if (excludes(runs, one)) continue;
+            Levels all = levels;
+            for (const std::size_t instance : one.deciding) all[instance] = finest_[instance];
+            store_what_is_read(instances_, all);
+            if (all == levels) all = finest_;
+            if (all == levels) return false;
+            if (const std::optional<bool> done = excludes(all, &one.last); done != true) return done;
         }
-        return false;
-    }
-
-    /// True if time can pass forever in the state.
-    bool may_stay(std::uint32_t state) {
-        if (is_urgent(states_.expand(state))) return false;
-        for (std::uint32_t process = 0; process < loop_.processes.size(); ++process)
-            if (is_bounded(process, state)) return false;
         return true;
     }
 
-    template <class Components>
-    void add(std::uint32_t state, const Components& components, Component& component) {
-        component.moves.resize(loop_.processes.size());
-        component.unbounded.resize(loop_.processes.size());
-        const timed::Moves& moves = states_.expand(state);
-        component.urgent = component.urgent && is_urgent(moves);
-        for (std::size_t move = 0; move < moves.edges.size(); ++move)
-            if (components.of(states_.successor(move)) == components.of(state))
-                component.moves[states_.machine().process_of(moves.edges[move]).index] = true;
-        for (std::uint32_t process = 0; process < loop_.processes.size(); ++process)
-            if (!is_bounded(process, state)) component.unbounded[process] = true;
+    /// True if refinements exclude the remaining runs of an abstraction. Stores one more process at a time, because one
+    /// process usually suffices.
+    bool excludes(const AvoidingRuns& runs, const Remainder& remainder) {
+        if (loop_.controllers.size() != 1 || !remainder.has_starts) return false;
+        std::set<Levels> tried = {runs.levels()};
+        std::optional<Remaining> best;
+        const auto attempt = [&](Levels levels) {
+            store_what_is_read(instances_, levels);
+            if (!tried.insert(levels).second) return;
+            std::optional<Remaining> made = refined(runs, remainder, levels);
+            if (made && (!best || made->situations < best->situations)) best = std::move(made);
+        };
+        Levels all = runs.levels();
+        std::multimap<std::size_t, Levels>
+            single;  // by the number of combinations of states of the additional processes
+        for (const std::size_t instance : remainder.deciding) {
+            all[instance] = finest_[instance];
+            Levels one = runs.levels();
+            one[instance] = finest_[instance];
+            store_what_is_read(instances_, one);
+            single.emplace(combinations(runs.levels(), one), std::move(one));
+        }
+        for (const auto& [combinations, levels] : single) {
+            attempt(levels);
+            if (best && best->remainders.empty()) return true;
+        }
+        if (!best || best->situations == remainder.last.values.size()) attempt(all);
+        return best &&
+               std::ranges::all_of(best->remainders, [&](const Remainder& one) { return excludes(*best->runs, one); });
     }
 
-    /// True if a run in which time diverges can stay in the component forever.
-    bool may_repeat(const Component& component) const {
-        if (component.urgent) return false;
-        for (std::size_t process = 0; process < loop_.processes.size(); ++process)
-            if (!component.unbounded[process] && !component.moves[process]) return false;
-        return true;
+    /// Returns the number of different situations, with regard to some columns.
+    static std::size_t count_of(const std::vector<Remainder>& remainders, const std::vector<std::uint32_t>& columns) {
+        Situations all;
+        for (const Remainder& one : remainders) all.values.merge(one.last.restricted_to(columns).values);
+        return all.values.size();
     }
 
     const Network& loop_;
-    AbstractStates states_;
-    const Property& property_;  // the property, with terms of the abstraction
-    const bool is_inevitable_;
-    const std::uint32_t p_, q_;
-    std::vector<bool> is_stored_;          // per process: false for instances with the level Chosen
-    std::set<std::size_t> deciding_ = {};  // result of `deciding`
-    bool requested_ = false;
-    std::vector<std::int64_t> registers_ = {};
+    const std::vector<AbstractableProcess>& instances_;
+    const Property& property_;
+    const FollowLimits& limits_;
+    const InputAblations& ablations_;
+    const TimedOptions options_ = {};
+    const timed::Limits unlimited_{options_};
+    const VariableUsers users_{loop_};
+    const std::vector<ProcessClocks> clocks_ = analyse_clocks(loop_);
+    Levels coarsest_ = {}, finest_ = {};
+    std::map<std::size_t, ProcessStates> locals_ = {};  // by index of the process in the list of processes
+    std::set<std::size_t> unsupported_ = {};            // indices of processes whose states are unknown
+    std::map<Levels, AvoidingRuns> explored_ = {};      // abstractions all of whose states were explored
+    std::set<Levels> failed_ = {};                      // abstractions that are not supported or reached a limit
+    std::uint64_t bytes_ = 0;                           // memory of all abstractions
+    bool limited_ = false;                              // true if a limit has ended an exploration
+    ResponseResult result_ = {};
 };
 
 }  // namespace
 
 ResponseResult prove_response(const Network& loop, const std::vector<AbstractableProcess>& instances,
-                              const Property& property, const FollowLimits& limits) {
-    ResponseResult result;
-    const std::set<Id<Network::Process>> read = instances_read_by(loop, instances, property);
-    const std::vector<InputLevel> finest = panel_levels(loop, instances, read);
-    result.levels = levels_with_plant(loop, instances, finest, read);
-    while (true) {
-        FollowLimits left = limits;  // the abstractions share the maximum number of states
-        left.states -= std::min(left.states, result.states);
-        Response response(loop, instances, property, result.levels);
-        result.holds = response.run(left);
-        result.vacuous = response.vacuous();
-        result.states += response.states();
-        if (result.holds != false) return result;
-        const std::vector<InputLevel> before = result.levels;
-        for (const std::size_t instance : response.deciding()) result.levels[instance] = finest[instance];
-        store_what_is_read(instances, result.levels);
-        if (result.levels != before) continue;
-        if (result.levels == finest) return result;
-        result.levels = finest;
-    }
+                              const Property& property, const FollowLimits& limits, const InputAblations& ablations) {
+    return ResponseProof(loop, instances, property, limits, ablations).result();
 }
 
 }  // namespace grafverif
