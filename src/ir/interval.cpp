@@ -94,9 +94,9 @@ std::vector<Interval> intervals(const Exprs& exprs, const TypeOf& type_of) {
 
 bool is_clipped(const Interval& interval) { return interval.low == least || interval.high == greatest; }
 
-std::vector<bool> terms_with_values(const Exprs& exprs, const TypeOf& type_of) {
+std::vector<bool> terms_with_values(const Exprs& exprs, const std::vector<Interval>& values) {
     std::vector<bool> found;
-    for (const Interval& own : intervals(exprs, type_of)) {
+    for (const Interval& own : values) {
         const Id<Expr> term{static_cast<std::uint32_t>(found.size())};
         const Expr& node = exprs[term];
         const std::span<const Id<Expr>> operands = exprs.operands(term);

@@ -29,7 +29,8 @@ std::vector<Interval> intervals(const Exprs& exprs, const TypeOf& type_of);
 bool is_clipped(const Interval& interval);
 
 /// For each term of the table: true if the analysis shows that the term always has a value. Divisors must be constants.
-std::vector<bool> terms_with_values(const Exprs& exprs, const TypeOf& type_of);
+/// `values` is the result of `intervals`.
+std::vector<bool> terms_with_values(const Exprs& exprs, const std::vector<Interval>& values);
 
 /// True if the range [low, high] does not fit into 32-bit integers.
 bool is_wide(std::int64_t low, std::int64_t high);

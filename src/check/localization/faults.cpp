@@ -87,8 +87,9 @@ private:
 }  // namespace
 
 bool terms_have_values(const Network& network) {
-    const std::vector<bool> have_values =
-        terms_with_values(network.exprs, [&](const Expr& leaf) { return type_of(network, leaf); });
+    const std::vector<Interval> values =
+        intervals(network.exprs, [&](const Expr& leaf) { return type_of(network, leaf); });
+    const std::vector<bool> have_values = terms_with_values(network.exprs, values);
     for (const Id<Network::Process> id : network.processes.ids()) {
         const Slots slots(network, id);
         for (const Network::Edge& edge : slots.automaton.edges) {

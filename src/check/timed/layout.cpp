@@ -7,6 +7,7 @@
 #include "ir/interval.hpp"
 #include "ir/network/variables.hpp"
 #include "ir/network_subsystems.hpp"
+#include "ir/variable_users.hpp"
 
 namespace grafverif::timed {
 
@@ -84,9 +85,9 @@ std::vector<std::vector<Id<Network::Variable>>> written_by_process(const Network
 }  // namespace
 
 VariableSet unread_variables(const Network& network) {
-    const TypeOf type = [&](const Expr& leaf) { return type_of(network, leaf); };
-    const std::vector<bool> have_values = terms_with_values(network.exprs, type);
-    const std::vector<grafverif::Interval> values = grafverif::intervals(network.exprs, type);
+    const std::vector<grafverif::Interval> values =
+        grafverif::intervals(network.exprs, [&](const Expr& leaf) { return type_of(network, leaf); });
+    const std::vector<bool> have_values = terms_with_values(network.exprs, values);
     VariableSet read(network.variables.size());
     std::vector<Id<Network::Variable>> open;
     const auto take = [&](Id<Network::Variable> variable) {
@@ -123,9 +124,14 @@ VariableSet unread_variables(const Network& network) {
         open.pop_back();
         std::ranges::for_each(assigned[variable.index], take_all);
     }
+    const VariableUsers users(network);
     VariableSet unread(network.variables.size());
-    for (const Id<Network::Variable> id : network.variables.ids())
-        unread[id.index] = !read[id.index] && !network.variables[id].scratch;
+    for (const Id<Network::Variable> id : network.variables.ids()) {
+        const Network::Variable& variable = network.variables[id];
+        const auto &readers = users.readers[id.index], &writers = users.writers[id.index];
+        const bool is_local = readers.empty() || (writers.size() <= 1 && std::ranges::includes(writers, readers));
+        unread[id.index] = !read[id.index] && is_local && !variable.scratch && variable.role != Network::Role::Step;
+    }
     return unread;
 }
 

@@ -70,9 +70,9 @@ struct Layout {
 /// A set of variables of a network: one element per variable, which is true if the set contains the variable.
 using VariableSet = std::vector<bool>;
 
-/// Returns the variables of `network` that affect neither a guard, nor a property, nor a model error. Such variables are
-/// read only in assignments to such variables, for example a counter that only counts. Requires that `network` is
-/// expanded.
+/// Returns the variables of `network`, except steps, that affect neither a guard, nor a property, nor a model error. No
+/// process reads such a variable, except the only process that writes it, in assignments to such variables. An example
+/// is a counter that only counts. Requires that `network` is expanded.
 VariableSet unread_variables(const Network& network);
 
 /// Computes the layout of `network`, which must be expanded. Variables for which `unread` is true are not stored; they

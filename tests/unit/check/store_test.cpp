@@ -126,17 +126,22 @@ TEST(PackedStates, AreNumberedInTheOrderOfInsertionAndFoundAgain) {
 }
 
 /// `counts` only counts, and `copies` only copies it. The value of `leaves` may leave its range, the chart reads `read`,
-/// and `read` depends on `feeds`.
-TEST(UnreadVariables, AffectNoGuardAndNoModelError) {
+/// and `read` depends on `feeds`. A plant copies R. Nothing depends on step 2, but the analysis of dead values may read
+/// every step.
+TEST(UnreadVariables, AffectNoGuardNoModelErrorAndNoOtherProcess) {
     const std::string text =
-        "grafcet c { input A; output LAMP; internal counts: int 0..9 = 0; internal copies: int 0..9 = 0; internal "
-        "leaves: "
-        "int 0..9 = 0; internal read: int 0..9 = 0; internal feeds: int 0..9 = 0; initial step 0; step 1 { LAMP; "
-        "counts "
-        ":= (counts + 1) % 10 on activation; copies := counts on activation; leaves := leaves + 1 on activation; read "
+        "component memo(input P; output S) { clock t; initial location any; timed any -> any when t >= 1s do S := P, t "
         ":= "
-        "feeds on activation; feeds := (feeds + 1) % 10 on activation; } transition t0: 0 -> 1 when A && read < 9; "
-        "transition t1: 1 -> 0 when !A; }\nclosed_loop l { controller c; environment EA = push_button(OUT = A); }\n";
+        "0; }\ngrafcet c { input A; output LAMP, R; internal counts: int 0..9 = 0; internal copies: int 0..9 = 0; "
+        "internal "
+        "leaves: int 0..9 = 0; internal read: int 0..9 = 0; internal feeds: int 0..9 = 0; initial step 0; step 1 { "
+        "LAMP; R; "
+        "counts := (counts + 1) % 10 on activation; copies := counts on activation; leaves := leaves + 1 on "
+        "activation; "
+        "read := feeds on activation; feeds := (feeds + 1) % 10 on activation; } step 2; transition t0: 0 -> 1 when A "
+        "&& "
+        "read < 9; transition t1: 1 -> 0 when !A; transition t2: 0 -> 2 when !A && read == 9; }\nclosed_loop l { "
+        "controller c; plant M = memo(P = R); environment EA = push_button(OUT = A); }\n";
     const Network network = expand(read_loop(text).network);
     const VariableSet unread = unread_variables(network);
     const auto is_unread = [&](const std::string& name) {
@@ -145,7 +150,10 @@ TEST(UnreadVariables, AffectNoGuardAndNoModelError) {
         return found != network.variables.end() && unread[static_cast<std::size_t>(found - network.variables.begin())];
     };
     for (const char* const name : {"counts", "copies", "LAMP"}) EXPECT_TRUE(is_unread(name)) << name;
-    for (const char* const name : {"leaves", "read", "feeds", "A"}) EXPECT_FALSE(is_unread(name)) << name;
+    for (const char* const name : {"leaves", "read", "feeds", "A", "R"}) EXPECT_FALSE(is_unread(name)) << name;
+    for (const Id<Network::Variable> id : network.variables.ids())
+        EXPECT_FALSE(unread[id.index] && network.variables[id].role == Network::Role::Step)
+            << network.variables[id].name;
 }
 
 }  // namespace
