@@ -81,12 +81,11 @@ struct InputAblations {
     bool need_not_begin_cycle = false;  ///< a move of a homing sequence need not begin a cycle of the PLC
     bool leave_freely = false;          ///< processes are assumed to leave each state to which they cannot return
     bool without_homing = false;        ///< not a premise: required states are computed without a homing sequence
-    // Premises of prove_response (check/inputs/response.hpp):
-    bool need_not_take_time = false;    ///< runs with infinitely many moves in bounded time are permitted
-    bool start_initially = false;       ///< an additional process is in its initial state when the last cycle begins
-    bool start_in_last_states = false;  ///< the last cycle begins in the last states
-    bool one_situation = false;         ///< only one of the last situations is examined
     bool round_inward = false;  ///< clock bounds of observers are rounded to stronger bounds instead of weaker bounds
+    // Premises of prove_response (check/inputs/response.hpp):
+    bool need_not_take_time = false;  ///< runs with infinitely many moves in bounded time are permitted
+    bool start_initially = false;     ///< an additional process is in its initial state when the last cycle begins
+    bool one_situation = false;       ///< only one of the last situations is examined
 };
 
 /// A process that can be abstracted: an instance of the plant or the environment, or a timer of a controller.

@@ -428,9 +428,6 @@ TEST(InputAbstraction, EachPremiseIsNeeded) {
           Premise{"bounds of observers become weaker", &InputAblations::round_inward},
           Premise{"time diverges", &InputAblations::need_not_diverge, {"stuck"}, 1131},
           Premise{"moves take time", &InputAblations::need_not_take_time, {"follower"}, 1076},
-          Premise{"a refinement begins in any state of a process", &InputAblations::start_initially},
-          Premise{"the last cycle begins in any situation", &InputAblations::start_in_last_states},
-          Premise{"a refinement examines all situations", &InputAblations::one_situation},
           Premise{"the panel returns", &InputAblations::need_not_return, {"follower"}, 1081}}) {
         InputAblations ablations;
         ablations.*premise.omitted = true;

@@ -5,11 +5,9 @@
 #include <utility>
 
 #include "check/timed/store/store.hpp"
-#include "ir/variable_users.hpp"
 
 namespace grafverif {
 
-using timed::VariableSet;
 using timed::Word;
 
 std::vector<InputLevel> panel_levels(const Network& loop, const std::vector<AbstractableProcess>& instances,
@@ -46,19 +44,6 @@ std::vector<InputLevel> levels_with_plant(const Network& loop, const std::vector
     return levels;
 }
 
-namespace {
-
-/// Returns the variables that affect no guard, no property and no model error, and that no process except PLCs reads.
-VariableSet unstored_variables(const Network& loop) {
-    VariableSet unstored = timed::unread_variables(loop);
-    const VariableUsers users(loop);
-    for (const Id<Network::Variable> id : loop.variables.ids())
-        if (!std::ranges::includes(users.plcs, users.readers[id.index])) unstored[id.index] = false;
-    return unstored;
-}
-
-}  // namespace
-
 AbstractStates::AbstractStates(const Network& loop, const std::vector<AbstractableProcess>& instances,
                                const std::vector<InputLevel>& levels)
     : unstored_(loop.variables.size()) {
@@ -72,7 +57,7 @@ AbstractStates::AbstractStates(const Network& loop, const std::vector<Abstractab
     for (const Property& other : std::exchange(one.properties, {}))
         if (other.name == property) one.properties.add(other);
     one.settled = {};
-    unstored_ = unstored_variables(one);
+    unstored_ = timed::unread_variables(one);
     begin(one, instances, levels);
 }
 

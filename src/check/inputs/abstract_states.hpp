@@ -39,9 +39,10 @@ public:
 
     AbstractStates(const Network& loop, const std::vector<AbstractableProcess>& instances,
                    const std::vector<InputLevel>& levels);
-    /// Records the moves. Considers only the property named `property`; the states contain no variable that affects neither this property
-    /// nor a guard nor a model error, unless a process other than a PLC reads the variable. If `admits` is null, the search begins in the initial state. Otherwise it begins in the states that are passed to
-    /// `add`, and considers only moves for which `admits` returns true.
+    /// Records the moves. Of the properties, considers only the one named `property`; the states do not contain the
+    /// variables that have no effect in the loop with this property (timed::unread_variables). If `admits` is null, the
+    /// search begins in the initial state. Otherwise it begins in the states that are passed to `add`, and considers only
+    /// moves for which `admits` returns true.
     AbstractStates(const Network& loop, const std::vector<AbstractableProcess>& instances,
                    const std::vector<InputLevel>& levels, const std::string& property, Admits admits);
     AbstractStates(AbstractStates&&) = delete;

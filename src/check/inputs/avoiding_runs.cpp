@@ -88,37 +88,45 @@ std::optional<bool> AvoidingRuns::explore(const AvoidingRuns& coarser, const std
     const timed::Machine& machine = states_.machine();
     const timed::Layout &from = coarser.states_.machine().layout(), &to = machine.layout();
     // Flags that the additional processes set. The coarser abstraction does not contain their values.
-    std::set<std::uint32_t> set;
+    std::set<std::uint32_t> set_flags;
     for (const ProcessStates* const local : stored)
         for (const Id<Network::Variable> variable : Slots(loop_, local->process()).written())
-            if (loop_.variables[variable].role == Network::Role::Flag) set.insert(variable.index);
-    const std::vector<std::uint32_t> flags(set.begin(), set.end());
+            if (loop_.variables[variable].role == Network::Role::Flag) set_flags.insert(variable.index);
+    const std::vector<std::uint32_t> flags(set_flags.begin(), set_flags.end());
     if (flags.size() > most_flags) return false;
     passed_.emplace(*this, within_->passed);
     Situations last = within_->last;
     if (ablations.one_situation) last.values = {*last.values.begin()};
     last_.emplace(*this, last);
-    PackedSituations last_of_coarser(coarser, last);
     std::vector<Word> words(to.words);
     for (const timed::Field& choice : to.choices) choice.set(words.data(), static_cast<std::int64_t>(choice.all()));
     timed::Moves moves;
+    std::size_t polls = 0;
+    const auto is_limited = [&] {
+        return states_.size() >= limits.states || bytes() > limits.bytes ||
+               (polls++ % search_poll_interval == 0 && is_over(limits.deadline, limits.stop));
+    };
+    bool fails = false;
     const auto begin = [&] {
         const std::uint32_t start = starts_.add(words.data()).state;
         machine.expand(words.data(), moves);
+        fails = fails || moves.cut || moves.fault;
         for (std::size_t move = 0; move < moves.edges.size(); ++move)
             if (const Word* const next = moves.words.data() + move * to.words;
                 begins_cycle(moves.edges[move]) && passed_->contain(next))
                 starts_of_.emplace(states_.add(next), start);
     };
-    // Combines the current values with all states of the additional processes from index `first` on.
-    const auto combine = [&](const auto& self, std::size_t first) -> void {
+    // Combines the current values with all states of the additional processes from index `first` on. Returns false if a
+    // limit is reached.
+    const auto combine = [&](const auto& self, std::size_t first) -> bool {
         if (first == stored.size()) {
+            if (is_limited()) return false;
             for (std::size_t subset = 0; subset < std::size_t{1} << flags.size(); ++subset) {
                 for (std::size_t i = 0; i < flags.size(); ++i)
                     to.variables[flags[i]].set(words.data(), static_cast<std::int64_t>(subset >> i & 1));
                 begin();
             }
-            return;
+            return true;
         }
         const ProcessStates& local = *stored[first];
         for (const ProcessStates::State& state : local.states()) {
@@ -126,25 +134,23 @@ std::optional<bool> AvoidingRuns::explore(const AvoidingRuns& coarser, const std
             to.locations[local.process().index].set(words.data(), state.location.index);
             for (std::size_t i = 0; i < local.own().size(); ++i)
                 to.variables[local.own()[i].index].set(words.data(), state.values[i]);
-            self(self, first + 1);
+            if (!self(self, first + 1)) return false;
         }
+        return true;
     };
-    std::size_t polls = 0;
     if (within_->from_initial) states_.add(timed::packed_initial(states_.network(), to).data());
     for (const Word* const now : within_->starts) {
-        if (states_.size() >= limits.states || states_.bytes() > limits.bytes) return {};
-        if (polls++ % search_poll_interval == 0 && is_over(limits.deadline, limits.stop)) return {};
-        if (ablations.start_in_last_states && !last_of_coarser.contain(now)) continue;
         for (const Id<Network::Process> process : loop_.processes.ids())
             to.locations[process.index].set(words.data(), from.locations[process.index].get(now));
         for (const Id<Network::Variable> variable : loop_.variables.ids())
             if (!loop_.variables[variable].scratch && !states_.unstored()[variable.index])
                 to.variables[variable.index].set(words.data(), from.variables[variable.index].get(now));
-        combine(combine, 0);
+        if (!combine(combine, 0)) return {};
+        if (fails) return false;
     }
     if (const std::optional<bool> found = states_.run(limits); !found || !*found) return found;
     for (std::uint32_t state = 0; state < states_.size(); ++state)
-        awaiting_.push_back(last_->contain(states_.words(state)) && !is_goal(states_.words(state)));
+        considered_.push_back(last_->contain(states_.words(state)) && !is_goal(states_.words(state)));
     return true;
 }
 
@@ -155,7 +161,7 @@ bool AvoidingRuns::admits(const Word* from, std::uint32_t edge, const Word* to) 
     return !begins_cycle(edge) || (last_->contain(from) && !is_goal(from));
 }
 
-/// True if the edge begins a cycle of a PLC.
+/// True if the edge begins a cycle of a PLC: it leaves the location W, before the PLC samples its inputs.
 bool AvoidingRuns::begins_cycle(std::uint32_t edge) const {
     const Id<Network::Process> process = states_.machine().process_of(edge);
     const Network& network = states_.network();
@@ -166,51 +172,56 @@ bool AvoidingRuns::begins_cycle(std::uint32_t edge) const {
     });
 }
 
-/// Computes the predecessors of all states. Returns false if there are too many moves.
-bool AvoidingRuns::find_predecessors(const timed::Limits& limits) {
-    if (!first_of_.empty()) return true;
-    if (states_.recorded_moves() > most_predecessors) return false;
-    std::vector<std::pair<std::uint32_t, Predecessor>> edges;
-    for (std::uint32_t state = 0; state < states_.size(); ++state) {
-        limits.poll();
-        states_.each_move(state, [&](std::uint32_t edge, std::uint32_t next) {
-            if (next != timed::Store::none) edges.emplace_back(next, Predecessor{state, begins_cycle(edge)});
-        });
-    }
-    first_of_.assign(states_.size() + 1, 0);
-    for (const auto& [to, from] : edges) ++first_of_[to + 1];
-    std::partial_sum(first_of_.begin(), first_of_.end(), first_of_.begin());
-    predecessors_.resize(edges.size());
-    std::vector<std::size_t> next = first_of_;
-    for (const auto& [to, from] : edges) predecessors_[next[to]++] = from;
-    return true;
+/// Computes the predecessors of all states.
+void AvoidingRuns::find_predecessors(const timed::Limits& limits) {
+    if (!first_of_.empty()) return;
+    const auto each = [&](const auto& visit) {
+        for (std::uint32_t state = 0; state < states_.size(); ++state) {
+            limits.poll();
+            states_.each_move(state, [&](std::uint32_t edge, std::uint32_t next) {
+                if (next != timed::Store::none) visit(next, Predecessor{state, begins_cycle(edge)});
+            });
+        }
+    };
+    std::vector<std::size_t> first(states_.size() + 1);
+    each([&](std::uint32_t to, const Predecessor&) { ++first[to + 1]; });
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    predecessors_.resize(first.back());
+    std::vector<std::size_t> next = first;
+    each([&](std::uint32_t to, const Predecessor& from) { predecessors_[next[to]++] = from; });
+    first_of_ = std::move(first);
 }
 
-/// Finds the starts of a remainder with the given last states, and the situations from the starts on.
-void AvoidingRuns::find_starts(Remainder& remainder, std::vector<std::uint32_t> last, const timed::Limits& limits) {
-    remainder.has_starts = find_predecessors(limits);
-    if (!remainder.has_starts) return;
-    std::vector<bool> seen(states_.size());
-    std::set<const Word*> starts;
-    for (const std::uint32_t state : last) seen[state] = true;
-    for (std::vector<std::uint32_t>& open = last; !open.empty();) {
-        limits.poll();
-        const std::uint32_t state = open.back();
-        open.pop_back();
-        add_to(remainder.passed, states_.words(state));
-        if (state == 0 && (within_ == nullptr || within_->from_initial)) remainder.from_initial = true;
-        const auto [begin, end] = starts_of_.equal_range(state);
-        for (auto start = begin; start != end; ++start) starts.insert(starts_.words(start->second));
-        for (std::size_t i = first_of_[state]; i < first_of_[state + 1]; ++i) {
-            const Predecessor& before = predecessors_[i];
-            if (before.begins) starts.insert(states_.words(before.state));
-            else if (!seen[before.state]) {
-                seen[before.state] = true;
-                open.push_back(before.state);
+bool AvoidingRuns::find_starts(Remainder& remainder, const FollowLimits& follow) {
+    if (states_.recorded_moves() > most_predecessors) return false;
+    const auto found = within_limits(follow, [&](const timed::Limits& limits) -> std::optional<bool> {
+        find_predecessors(limits);
+        std::vector<bool> seen(states_.size());
+        std::set<std::uint32_t> starts, first_starts;  // numbers in states_ and starts_
+        std::vector<std::uint32_t> open = remainder.states;
+        for (const std::uint32_t state : open) seen[state] = true;
+        while (!open.empty()) {
+            limits.poll();
+            const std::uint32_t state = open.back();
+            open.pop_back();
+            add_to(remainder.passed, states_.words(state));
+            if (state == 0 && (within_ == nullptr || within_->from_initial)) remainder.from_initial = true;
+            const auto [begin, end] = starts_of_.equal_range(state);
+            for (auto start = begin; start != end; ++start) first_starts.insert(start->second);
+            for (std::size_t i = first_of_[state]; i < first_of_[state + 1]; ++i) {
+                const Predecessor& before = predecessors_[i];
+                if (before.begins) starts.insert(before.state);
+                else if (!seen[before.state]) {
+                    seen[before.state] = true;
+                    open.push_back(before.state);
+                }
             }
         }
-    }
-    remainder.starts.assign(starts.begin(), starts.end());
+        for (const std::uint32_t start : starts) remainder.starts.push_back(states_.words(start));
+        for (const std::uint32_t start : first_starts) remainder.starts.push_back(starts_.words(start));
+        return true;
+    });
+    return found.has_value();
 }
 
 std::uint32_t AvoidingRuns::compiled(Id<Expr> term) {
@@ -242,11 +253,11 @@ bool AvoidingRuns::is_bounded(std::uint32_t process, std::uint32_t state) const 
 /// Finds the states in which q is awaited: from a state in which p holds or is undefined, only states without q lead to
 /// them.
 void AvoidingRuns::find_awaiting(const timed::Limits& limits) {
-    awaiting_.assign(states_.size(), false);
+    considered_.assign(states_.size(), false);
     std::vector<std::uint32_t> open;
     const auto add = [&](std::uint32_t state) {
-        if (awaiting_[state] || is_goal(states_.words(state))) return;
-        awaiting_[state] = true;
+        if (considered_[state] || is_goal(states_.words(state))) return;
+        considered_[state] = true;
         open.push_back(state);
     };
     const auto roots = static_cast<std::uint32_t>(is_inevitable_ ? 1 : states_.size());
@@ -298,7 +309,7 @@ void AvoidingRuns::add_to(Situations& situations, const Word* words) const {
 std::optional<std::vector<Remainder>> AvoidingRuns::remaining(const Situations* situations,
                                                               const FollowLimits& follow) {
     return within_limits(follow, [&](const timed::Limits& limits) -> std::optional<std::vector<Remainder>> {
-        std::vector<bool> considered = awaiting_;
+        std::vector<bool> considered = considered_;
         std::optional<PackedSituations> packed;
         if (situations != nullptr) packed.emplace(*this, *situations);
         for (std::uint32_t state = 0; state < states_.size() && packed; ++state) {
@@ -339,10 +350,9 @@ std::optional<std::vector<Remainder>> AvoidingRuns::remaining(const Situations* 
         each_found(
             [&](std::uint32_t state, const Component& component) { groups[component.deciding].push_back(state); });
         std::vector<Remainder> made;
-        for (auto& [deciding, last] : groups) {
-            made.push_back({.deciding = deciding});
-            for (const std::uint32_t state : last) add_to(made.back().last, states_.words(state));
-            find_starts(made.back(), std::move(last), limits);
+        for (auto& [deciding, states] : groups) {
+            Remainder& remainder = made.emplace_back(Remainder{.states = std::move(states), .deciding = deciding});
+            for (const std::uint32_t state : remainder.states) add_to(remainder.last, states_.words(state));
         }
         return made;
     });
@@ -352,9 +362,11 @@ std::optional<std::vector<Remainder>> AvoidingRuns::remaining(const Situations* 
 template <class Components>
 void AvoidingRuns::add_deciding(std::uint32_t state, const Components& components, Component& component) {
     const std::vector<InputChoice>& choices = states_.machine().choices();
+    std::vector<std::uint32_t> successors;
+    states_.each_move(state, [&](std::uint32_t, std::uint32_t next) { successors.push_back(next); });
     const timed::Moves& moves = states_.expand(state, true);
-    for (std::size_t move = 0; move < moves.edges.size(); ++move) {
-        const std::uint32_t next = states_.successor(move);
+    for (std::size_t move = 0; move < moves.edges.size() && move < successors.size(); ++move) {
+        const std::uint32_t next = successors[move];
         if (next != timed::Store::none && components.of(next) == components.of(state)) continue;
         for (std::size_t i = 0; i < choices.size(); ++i) {
             if (states_.machine().process_of(moves.edges[move]) != choices[i].plc) continue;
@@ -372,6 +384,7 @@ bool AvoidingRuns::may_stay(std::uint32_t state) {
     return true;
 }
 
+/// Adds the properties of one state to its component.
 template <class Components>
 void AvoidingRuns::add(std::uint32_t state, const Components& components, Component& component) {
     component.moves.resize(loop_.processes.size());

@@ -32,14 +32,16 @@ struct Situations {
 /// Runs that avoid q and finally remain in some states, the *last states*. Before a run remains in the last states, its
 /// last cycle of the PLC begins in one of the *starts*.
 struct Remainder {
-    Situations last = {};    ///< the situations of the last states
-    Situations passed = {};  ///< the situations from the beginning of the last cycle on
-    /// Packed states in which the last cycle may begin. The pointers are valid as long as the abstraction exists.
-    std::vector<const timed::Word*> starts = {};
-    bool has_starts = true;     ///< false if the starts are unknown, because there are too many moves
-    bool from_initial = false;  ///< true if a run may remain in the last states before the first cycle begins
+    std::vector<std::uint32_t> states = {};  ///< the last states
+    Situations last = {};                    ///< the situations of the last states
     /// The Chosen processes (indices in the list of processes) whose values can end the runs.
     std::set<std::size_t> deciding = {};
+
+    // Results of AvoidingRuns::find_starts:
+    Situations passed = {};  ///< the situations from the beginning of the last cycle on
+    /// Packed states in which the last cycle may begin; valid as long as the abstraction exists.
+    std::vector<const timed::Word*> starts = {};
+    bool from_initial = false;  ///< true if a run may remain in the last states before the first cycle begins
 };
 
 class AvoidingRuns {
@@ -47,7 +49,7 @@ public:
     using Levels = std::vector<InputLevel>;
 
     /// `property` is an `inevitable` or a `leads to` of `loop`. If `within` is not null, only runs that finally remain in
-    /// its last states are considered. The references must outlive the object.
+    /// its last states are considered. `loop` and `within` must outlive the object and must not move.
     AvoidingRuns(const Network& loop, const std::vector<AbstractableProcess>& instances, const Property& property,
                  const Levels& levels, const Remainder* within = nullptr);
 
@@ -55,7 +57,12 @@ public:
     std::optional<bool> explore(const FollowLimits& limits);
 
     /// Explores the states of a refinement of `coarser` from the starts of the remainder `within` of `coarser` on.
-    /// `stored` are the processes that this abstraction stores in addition. For the result, see AbstractStates::run.
+    /// `stored` are the processes that this abstraction stores in addition. The loop must have one PLC. For the result,
+    /// see AbstractStates::run.
+    ///
+    /// In a start, the two abstractions agree with the loop except for the additional processes, the flags that these
+    /// processes set, and values without effect: samples, which the cycle overwrites before it reads them, and dead
+    /// previous values (ir/network/dead_values.hpp).
     std::optional<bool> explore(const AvoidingRuns& coarser, const std::vector<const ProcessStates*>& stored,
                                 const FollowLimits& limits, const InputAblations& ablations);
 
@@ -64,11 +71,16 @@ public:
     /// has returned true.
     std::optional<std::vector<Remainder>> remaining(const Situations* situations, const FollowLimits& limits);
 
+    /// Finds the starts of a remainder. Returns false if a limit is reached or there are too many moves.
+    bool find_starts(Remainder& remainder, const FollowLimits& limits);
+
     /// True if no state has p. Requires that `explore` has returned true.
     bool vacuous() const { return !requested_; }
     const Levels& levels() const { return levels_; }
     std::size_t states() const { return states_.size(); }
-    std::uint64_t bytes() const { return states_.bytes(); }
+    std::uint64_t bytes() const {
+        return states_.bytes() + starts_.bytes() + predecessors_.capacity() * sizeof(Predecessor);
+    }
 
 private:
     struct Predecessor {
@@ -109,8 +121,7 @@ private:
     bool begins_cycle(std::uint32_t edge) const;
     const timed::Field& field(std::uint32_t column) const;
     void add_to(Situations& situations, const timed::Word* words) const;
-    bool find_predecessors(const timed::Limits& limits);
-    void find_starts(Remainder& remainder, std::vector<std::uint32_t> last, const timed::Limits& limits);
+    void find_predecessors(const timed::Limits& limits);
     template <class Components>
     void add(std::uint32_t state, const Components& components, Component& component);
     template <class Components>
@@ -126,10 +137,12 @@ private:
     const std::uint32_t p_, q_;
     std::vector<bool> is_stored_;              // per process: false for instances with the level Chosen
     std::vector<std::uint32_t> columns_ = {};  // columns of the situations
-    std::vector<bool> awaiting_ = {};          // per state: true if q is awaited: the state follows a state with p
+    // Per state without q: true if q is awaited (the state follows a state with p), or, in a refinement, if the
+    // situation is one of the last situations.
+    std::vector<bool> considered_ = {};
     bool requested_ = false;
     PackedStates starts_;  // of a refinement: the states before the first states
-    std::unordered_multimap<std::uint32_t, std::size_t> starts_of_ = {};  // per first state: numbers in starts_
+    std::unordered_multimap<std::uint32_t, std::uint32_t> starts_of_ = {};  // per first state: numbers in starts_
     // Predecessors of state s: elements from first_of_[s] to first_of_[s + 1] of predecessors_.
     std::vector<std::size_t> first_of_ = {};
     std::vector<Predecessor> predecessors_ = {};

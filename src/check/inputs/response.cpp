@@ -85,11 +85,11 @@ private:
     }
 
     /// Returns the number of combinations of states of the processes that `fine` stores and `coarse` does not store.
-    std::size_t combinations(const Levels& coarse, const Levels& fine) {
-        std::size_t found = 1;
+    double combinations(const Levels& coarse, const Levels& fine) {
+        double found = 1;
         for (std::size_t i = 0; i < fine.size(); ++i)
             if (const ProcessStates* const states = fine[i] == coarse[i] ? nullptr : local(i))
-                found *= std::max<std::size_t>(states->states().size(), 1);
+                found *= static_cast<double>(states->states().size());
         return found;
     }
 
@@ -102,6 +102,11 @@ private:
                 stored.push_back(local(i));
                 if (stored.back() == nullptr) return {};
             }
+        const double starts = combinations(coarser.levels(), levels) * static_cast<double>(remainder.starts.size());
+        if (starts > static_cast<double>(left().states)) {
+            limited_ = true;
+            return {};
+        }
         Remaining made{std::make_unique<AvoidingRuns>(loop_, instances_, property_, levels, &remainder)};
         ++result_.refinements;
         if (!is_complete(*made.runs, made.runs->explore(coarser, stored, left(), ablations_))) return {};
@@ -120,9 +125,9 @@ private:
         AvoidingRuns& runs = found->second;
         if (is_new && !is_complete(runs, runs.explore(left()))) failed_.insert(levels);
         if (failed_.contains(levels)) return false;
-        const auto remainders = runs.remaining(within, limits_);
+        auto remainders = runs.remaining(within, limits_);
         if (!remainders) return {};
-        for (const Remainder& one : *remainders) {
+        for (Remainder& one : *remainders) {
             if (excludes(runs, one)) continue;
             Levels all = levels;
             for (const std::size_t instance : one.deciding) all[instance] = finest_[instance];
@@ -136,8 +141,10 @@ private:
 
     /// True if refinements exclude the remaining runs of an abstraction. Stores one more process at a time, because one
     /// process usually suffices.
-    bool excludes(const AvoidingRuns& runs, const Remainder& remainder) {
-        if (loop_.controllers.size() != 1 || !remainder.has_starts) return false;
+    bool excludes(AvoidingRuns& runs, Remainder& remainder) {
+        const auto is_chosen = [&](std::size_t instance) { return runs.levels()[instance] != finest_[instance]; };
+        if (loop_.controllers.size() != 1 || std::ranges::none_of(remainder.deciding, is_chosen)) return false;
+        if (!runs.find_starts(remainder, limits_)) return false;
         std::set<Levels> tried = {runs.levels()};
         std::optional<Remaining> best;
         const auto attempt = [&](Levels levels) {
@@ -147,8 +154,8 @@ private:
             if (made && (!best || made->situations < best->situations)) best = std::move(made);
         };
         Levels all = runs.levels();
-        std::multimap<std::size_t, Levels>
-            single;  // by the number of combinations of states of the additional processes
+        // Levels with one more process, by the number of combinations of states of the additional processes.
+        std::multimap<double, Levels> single;
         for (const std::size_t instance : remainder.deciding) {
             all[instance] = finest_[instance];
             Levels one = runs.levels();
@@ -162,7 +169,7 @@ private:
         }
         if (!best || best->situations == remainder.last.values.size()) attempt(all);
         return best &&
-               std::ranges::all_of(best->remainders, [&](const Remainder& one) { return excludes(*best->runs, one); });
+               std::ranges::all_of(best->remainders, [&](Remainder& one) { return excludes(*best->runs, one); });
     }
 
     /// Returns the number of different situations, with regard to some columns.
