@@ -129,19 +129,40 @@ TEST(PackedStates, AreNumberedInTheOrderOfInsertionAndFoundAgain) {
 /// and `read` depends on `feeds`. A plant copies R. Nothing depends on step 2, but the analysis of dead values may read
 /// every step.
 TEST(UnreadVariables, AffectNoGuardNoModelErrorAndNoOtherProcess) {
-    const std::string text =
-        "component memo(input P; output S) { clock t; initial location any; timed any -> any when t >= 1s do S := P, t "
-        ":= "
-        "0; }\ngrafcet c { input A; output LAMP, R; internal counts: int 0..9 = 0; internal copies: int 0..9 = 0; "
-        "internal "
-        "leaves: int 0..9 = 0; internal read: int 0..9 = 0; internal feeds: int 0..9 = 0; initial step 0; step 1 { "
-        "LAMP; R; "
-        "counts := (counts + 1) % 10 on activation; copies := counts on activation; leaves := leaves + 1 on "
-        "activation; "
-        "read := feeds on activation; feeds := (feeds + 1) % 10 on activation; } step 2; transition t0: 0 -> 1 when A "
-        "&& "
-        "read < 9; transition t1: 1 -> 0 when !A; transition t2: 0 -> 2 when !A && read == 9; }\nclosed_loop l { "
-        "controller c; plant M = memo(P = R); environment EA = push_button(OUT = A); }\n";
+    const std::string text = R"(
+        component memo(input P; output S) {
+            clock t;
+            initial location any;
+            timed any -> any when t >= 1s do S := P, t := 0;
+        }
+        grafcet c {
+            input A, D;
+            output LAMP, R;
+            internal counts: int 0..9 = 0;
+            internal copies: int 0..9 = 0;
+            internal leaves: int 0..9 = 0;
+            internal read: int 0..9 = 0;
+            internal feeds: int 0..9 = 0;
+            initial step 0;
+            step 1 {
+                LAMP;
+                R;
+                counts := (counts + 1) % 10 on activation;
+                copies := counts on activation;
+                leaves := leaves + 1 on activation;
+                read := feeds on activation;
+                feeds := (feeds + 1) % 10 on activation;
+            }
+            step 2;
+            transition t0: 0 -> 1 when A && read < 9;
+            transition t1: 1 -> 0 when !A;
+            transition t2: 0 -> 2 when !A && read == 9;
+        }
+        closed_loop l {
+            controller c;
+            plant M = memo(P = R, S = D);
+            environment EA = push_button(OUT = A);
+        })";
     const Network network = expand(read_loop(text).network);
     const VariableSet unread = unread_variables(network);
     const auto is_unread = [&](const std::string& name) {
