@@ -47,7 +47,7 @@ std::vector<InputLevel> levels_with_plant(const Network& loop, const std::vector
 AbstractStates::AbstractStates(const Network& loop, const std::vector<AbstractableProcess>& instances,
                                const std::vector<InputLevel>& levels)
     : unstored_(loop.variables.size()) {
-    begin(loop, instances, levels);
+    build(loop, instances, levels);
 }
 
 AbstractStates::AbstractStates(const Network& loop, const std::vector<AbstractableProcess>& instances,
@@ -58,10 +58,10 @@ AbstractStates::AbstractStates(const Network& loop, const std::vector<Abstractab
         if (other.name == property) one.properties.add(other);
     one.settled = {};
     unstored_ = timed::unread_variables(one);
-    begin(one, instances, levels);
+    build(one, instances, levels);
 }
 
-void AbstractStates::begin(const Network& loop, const std::vector<AbstractableProcess>& instances,
+void AbstractStates::build(const Network& loop, const std::vector<AbstractableProcess>& instances,
                            const std::vector<InputLevel>& levels) {
     InputAbstraction abstraction = abstract_inputs(loop, instances, levels);
     network_ = grafverif::expand(abstraction.network);
@@ -90,6 +90,15 @@ std::uint32_t AbstractStates::successor(std::size_t move) {
     const Word* const words = moves_.words.data() + move * machine_->layout().words;
     if (admits_ && !admits_(now_.data(), moves_.edges[move], words)) return timed::Store::none;
     return states_->add(words).state;
+}
+
+void AbstractStates::copy(const Word* state, const timed::Layout& to, Word* words) const {
+    const timed::Layout& from = machine_->layout();
+    for (const Id<Network::Process> process : network_.processes.ids())
+        to.locations[process.index].set(words, from.locations[process.index].get(state));
+    for (const Id<Network::Variable> variable : network_.variables.ids())
+        if (!network_.variables[variable].scratch && !unstored_[variable.index])
+            to.variables[variable.index].set(words, from.variables[variable.index].get(state));
 }
 
 /// True if the expanded state permits the use of the abstraction: the state has no model error, no race and not too

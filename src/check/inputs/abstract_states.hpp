@@ -70,6 +70,10 @@ public:
     std::size_t recorded_moves() const { return recorded_.size(); }
     const timed::Word* words(std::uint32_t state) const { return states_->words(state); }
 
+    /// Copies the locations and the stored variables of a state to packed words in the layout `to`. The layout belongs to
+    /// a network with the processes and variables of the loop.
+    void copy(const timed::Word* state, const timed::Layout& to, timed::Word* words) const;
+
     /// Returns the abstraction. The abstraction has the same list of properties as the loop, or only the given property.
     const Network& network() const { return network_; }
     /// Returns, per variable, true if the states contain no value of the variable.
@@ -82,7 +86,7 @@ public:
     const timed::Machine& machine() const { return *machine_; }
 
 private:
-    void begin(const Network& loop, const std::vector<AbstractableProcess>& instances,
+    void build(const Network& loop, const std::vector<AbstractableProcess>& instances,
                const std::vector<InputLevel>& levels);
     bool is_supported() const;
 

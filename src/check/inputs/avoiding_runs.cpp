@@ -12,7 +12,7 @@ namespace grafverif {
 namespace {
 
 constexpr std::size_t most_flags = 4;  // maximum number of flags that the processes of a refinement may set
-constexpr std::size_t most_predecessors = std::size_t{1} << 24U;  // maximum number of moves whose reversal is stored
+constexpr std::size_t most_predecessors = std::size_t{1} << 24U;  // maximum number of stored predecessors
 
 }  // namespace
 
@@ -86,7 +86,7 @@ std::optional<bool> AvoidingRuns::explore(const FollowLimits& limits) {
 std::optional<bool> AvoidingRuns::explore(const AvoidingRuns& coarser, const std::vector<const ProcessStates*>& stored,
                                           const FollowLimits& limits, const InputAblations& ablations) {
     const timed::Machine& machine = states_.machine();
-    const timed::Layout &from = coarser.states_.machine().layout(), &to = machine.layout();
+    const timed::Layout& to = machine.layout();
     // Flags that the additional processes set. The coarser abstraction does not contain their values.
     std::set<std::uint32_t> set_flags;
     for (const ProcessStates* const local : stored)
@@ -131,20 +131,14 @@ std::optional<bool> AvoidingRuns::explore(const AvoidingRuns& coarser, const std
         const ProcessStates& local = *stored[first];
         for (const ProcessStates::State& state : local.states()) {
             if (ablations.start_initially && state != local.states().front()) continue;
-            to.locations[local.process().index].set(words.data(), state.location.index);
-            for (std::size_t i = 0; i < local.own().size(); ++i)
-                to.variables[local.own()[i].index].set(words.data(), state.values[i]);
+            local.place(state, to, words.data());
             if (!self(self, first + 1)) return false;
         }
         return true;
     };
     if (within_->from_initial) states_.add(timed::packed_initial(states_.network(), to).data());
     for (const Word* const now : within_->starts) {
-        for (const Id<Network::Process> process : loop_.processes.ids())
-            to.locations[process.index].set(words.data(), from.locations[process.index].get(now));
-        for (const Id<Network::Variable> variable : loop_.variables.ids())
-            if (!loop_.variables[variable].scratch && !states_.unstored()[variable.index])
-                to.variables[variable.index].set(words.data(), from.variables[variable.index].get(now));
+        coarser.states_.copy(now, to, words.data());
         if (!combine(combine, 0)) return {};
         if (fails) return false;
     }
@@ -230,15 +224,11 @@ std::uint32_t AvoidingRuns::compiled(Id<Expr> term) {
 
 bool AvoidingRuns::is_goal(const Word* words) { return states_.machine().holds(q_, words, registers_) == End::Yes; }
 
-/// True if an urgent edge of the loop is enabled in the state.
+/// True if an urgent edge is enabled in the state. The edges that the abstraction adds are not urgent.
 bool AvoidingRuns::is_urgent(std::uint32_t state) const {
     bool found = false;
-    states_.each_move(state, [&](std::uint32_t edge, std::uint32_t) {
-        const auto process = states_.machine().process_of(edge);
-        const auto number = states_.machine().edge_of(edge);
-        const Network::Template& automaton = loop_.templates[loop_.processes[process].automaton];
-        found = found || (number.index < automaton.edges.size() && automaton.edges[number].urgent);
-    });
+    states_.each_move(state,
+                      [&](std::uint32_t edge, std::uint32_t) { found = found || states_.machine().urgent(edge); });
     return found;
 }
 
@@ -321,15 +311,14 @@ std::optional<std::vector<Remainder>> AvoidingRuns::remaining(const Situations* 
                 if (next != timed::Store::none && considered[next]) take(next);
             });
         });
-        for (std::uint32_t state = 0; state < states_.size(); ++state)
-            if (considered[state]) components.visit(state);
-        std::unordered_map<std::uint32_t, Component> found;
         const auto each_state = [&](const auto& visit) {
             for (std::uint32_t state = 0; state < states_.size(); ++state) {
                 limits.poll();
                 if (considered[state]) visit(state);
             }
         };
+        each_state([&](std::uint32_t state) { components.visit(state); });
+        std::unordered_map<std::uint32_t, Component> found;
         each_state([&](std::uint32_t state) {
             const bool stays = may_stay(state);
             if (!stays && !components.has_cycle(state)) return;

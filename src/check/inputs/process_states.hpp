@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "check/timed/components.hpp"
+#include "check/timed/layout.hpp"
 #include "ir/network_clocks.hpp"
 #include "ir/slots.hpp"
 #include "ir/variable_users.hpp"
@@ -81,6 +82,11 @@ public:
     const std::vector<Id<Network::Variable>>& others() const { return others_; }
     /// Returns all joint values of the variables `others()`.
     const std::vector<Values>& valuations() const { return valuations_; }
+    /// Sets the location and the variables `own()` of packed words in the layout `to` to those of a state.
+    void place(const State& state, const timed::Layout& to, timed::Word* words) const {
+        to.locations[id_.index].set(words, state.location.index);
+        for (std::size_t i = 0; i < own_.size(); ++i) to.variables[own_[i].index].set(words, state.values[i]);
+    }
     /// Returns all states; the first state is the initial state.
     const std::vector<State>& states() const { return states_; }
     const std::vector<Move>& moves() const { return moves_; }

@@ -298,11 +298,6 @@ struct RequiredStates::Combination {
         return visited > limits.states ||
                (++polls % search_poll_interval == 0 && is_over(limits.deadline, limits.stop));
     }
-    void place(const ProcessStates& local, std::size_t state) {
-        layout.locations[local.process().index].set(words.data(), local.states()[state].location.index);
-        for (std::size_t i = 0; i < local.own().size(); ++i)
-            layout.variables[local.own()[i].index].set(words.data(), local.states()[state].values[i]);
-    }
     bool has_urgent_edge(const Network& network, const ProcessStates& local) const {
         const auto at = layout.locations[local.process().index].get(words.data());
         return std::ranges::any_of(local.automaton().edges, [&](const Network::Edge& edge) {
@@ -323,7 +318,7 @@ bool RequiredStates::combine(std::size_t first, Combination& combination) const 
     const ProcessStates& local = chosen_[first].local;
     for (std::size_t state = 0; state < local.states().size(); ++state) {
         if (!chosen_[first].late[state]) continue;
-        combination.place(local, state);
+        local.place(local.states()[state], combination.layout, combination.words.data());
         const bool is_urgent = std::ranges::any_of(combination.complete[first], [&](const ProcessStates* instance) {
             return combination.has_urgent_edge(loop_, *instance);
         });
@@ -346,15 +341,10 @@ bool RequiredStates::each(const Layout& to, const FollowLimits& limits,
     }
     combination.words.resize(to.words, 0);
     Word* const words = combination.words.data();
-    const Layout& from = states_.machine().layout();
     for (const std::uint32_t state : found_) {
         const Word* const now = states_.words(state);
         if (!states_.all_wait(now)) continue;
-        for (const Id<Network::Process> process : loop_.processes.ids())
-            to.locations[process.index].set(words, from.locations[process.index].get(now));
-        for (const VariableId variable : loop_.variables.ids())
-            if (!loop_.variables[variable].scratch)
-                to.variables[variable.index].set(words, from.variables[variable.index].get(now));
+        states_.copy(now, to, words);
         for (std::size_t subset = 0; subset < std::size_t{1} << flags_.size(); ++subset) {
             for (std::size_t i = 0; i < flags_.size(); ++i)
                 to.variables[flags_[i].index].set(words, static_cast<std::int64_t>(subset >> i & 1));

@@ -44,8 +44,7 @@ public:
     ResponseResult result() {
         result_.levels = coarsest_;
         const std::optional<bool> holds = excludes(coarsest_, nullptr);
-        if (const auto first = explored_.find(coarsest_); first != explored_.end())
-            result_.vacuous = first->second.vacuous();
+        if (const auto& first = explored_[coarsest_]) result_.vacuous = first->vacuous();
         result_.holds = limited_ && holds == false ? std::nullopt : holds;
         return result_;
     }
@@ -79,9 +78,12 @@ private:
     /// Returns the states of a Chosen process; null if the process is not supported.
     const ProcessStates* local(std::size_t instance) {
         const Id<Network::Process> id = instances_[instance].process;
-        const auto [found, is_new] = locals_.try_emplace(instance, loop_, users_, clocks_[id.index], id, unlimited_);
-        if (is_new && !found->second.explore()) unsupported_.insert(instance);
-        return unsupported_.contains(instance) ? nullptr : &found->second;
+        const auto [found, is_new] = locals_.try_emplace(instance);
+        if (is_new) {
+            auto states = std::make_unique<ProcessStates>(loop_, users_, clocks_[id.index], id, unlimited_);
+            if (states->explore()) found->second = std::move(states);
+        }
+        return found->second.get();
     }
 
     /// Returns the number of combinations of states of the processes that `fine` stores and `coarse` does not store.
@@ -121,14 +123,17 @@ private:
     /// Excludes runs that avoid q and finally remain in the situations `within` (all situations, if null). Explores all
     /// states of the abstraction.
     std::optional<bool> excludes(const Levels& levels, const Situations* within) {
-        const auto [found, is_new] = explored_.try_emplace(levels, loop_, instances_, property_, levels);
-        AvoidingRuns& runs = found->second;
-        if (is_new && !is_complete(runs, runs.explore(left()))) failed_.insert(levels);
-        if (failed_.contains(levels)) return false;
+        const auto [found, is_new] = explored_.try_emplace(levels);
+        if (is_new) {
+            auto runs = std::make_unique<AvoidingRuns>(loop_, instances_, property_, levels);
+            if (is_complete(*runs, runs->explore(left()))) found->second = std::move(runs);
+        }
+        if (!found->second) return false;
+        AvoidingRuns& runs = *found->second;
         auto remainders = runs.remaining(within, limits_);
         if (!remainders) return {};
         for (Remainder& one : *remainders) {
-            if (excludes(runs, one)) continue;
+            if (refinements_exclude(runs, one)) continue;
             Levels all = levels;
             for (const std::size_t instance : one.deciding) all[instance] = finest_[instance];
             store_what_is_read(instances_, all);
@@ -141,7 +146,7 @@ private:
 
     /// True if refinements exclude the remaining runs of an abstraction. Stores one more process at a time, because one
     /// process usually suffices.
-    bool excludes(AvoidingRuns& runs, Remainder& remainder) {
+    bool refinements_exclude(AvoidingRuns& runs, Remainder& remainder) {
         const auto is_chosen = [&](std::size_t instance) { return runs.levels()[instance] != finest_[instance]; };
         if (loop_.controllers.size() != 1 || std::ranges::none_of(remainder.deciding, is_chosen)) return false;
         if (!runs.find_starts(remainder, limits_)) return false;
@@ -168,8 +173,8 @@ private:
             if (best && best->remainders.empty()) return true;
         }
         if (!best || best->situations == remainder.last.values.size()) attempt(all);
-        return best &&
-               std::ranges::all_of(best->remainders, [&](Remainder& one) { return excludes(*best->runs, one); });
+        return best && std::ranges::all_of(best->remainders,
+                                           [&](Remainder& one) { return refinements_exclude(*best->runs, one); });
     }
 
     /// Returns the number of different situations, with regard to some columns.
@@ -189,12 +194,12 @@ private:
     const VariableUsers users_{loop_};
     const std::vector<ProcessClocks> clocks_ = analyse_clocks(loop_);
     Levels coarsest_ = {}, finest_ = {};
-    std::map<std::size_t, ProcessStates> locals_ = {};  // by index of the process in the list of processes
-    std::set<std::size_t> unsupported_ = {};            // indices of processes whose states are unknown
-    std::map<Levels, AvoidingRuns> explored_ = {};      // abstractions all of whose states were explored
-    std::set<Levels> failed_ = {};                      // abstractions that are not supported or reached a limit
-    std::uint64_t bytes_ = 0;                           // memory of all abstractions
-    bool limited_ = false;                              // true if a limit has ended an exploration
+    // By index of the process in the list of processes; null if the states of the process are unknown.
+    std::map<std::size_t, std::unique_ptr<ProcessStates>> locals_ = {};
+    // The abstractions with all their states; null if an abstraction is not supported or reached a limit.
+    std::map<Levels, std::unique_ptr<AvoidingRuns>> explored_ = {};
+    std::uint64_t bytes_ = 0;  // memory of all abstractions
+    bool limited_ = false;     // true if a limit has ended an exploration
     ResponseResult result_ = {};
 };
 

@@ -286,7 +286,7 @@ TEST(ProveResponse, UsesThatATimerExpires) {
 /// Two followers D and E: each step of the chart waits for one of them. The first abstraction stores neither.
 TEST(ProveResponse, StoresEachInstanceOnlyInTheSituationsThatNeedIt) {
     const std::string text =
-        std::string(plant_components) +
+        plant_components +
         "grafcet c { input A, D, E; output Q, R; initial step 0; step 1 { Q; } step 2 { R; } step 3; "
         "transition t0: 0 -> 1 when A; transition t1: 1 -> 2 when D; transition t2: 2 -> 3 when E; "
         "transition t3: 3 -> 0 when !A && !D && !E; }\nclosed_loop l { controller c; plant First = "
@@ -299,13 +299,8 @@ TEST(ProveResponse, StoresEachInstanceOnlyInTheSituationsThatNeedIt) {
 }
 
 TEST(ProveResponse, ExploresAllStatesOfALoopWithTwoPlcs) {
-    const std::string text =
-        std::string(plant_components) +
-        "grafcet c { input A, D; output Q; initial step 0; step 1 { Q; } step 2; transition t0: 0 -> "
-        "1 when A; transition t1: 1 -> 2 when D; transition t2: 2 -> 0 when !A; }\ngrafcet d { input "
-        "A, D; output R; initial step 0 { R if A && D; } }\nclosed_loop l { controller c; controller "
-        "d; plant Fol = follower(P = Q, S = D); environment EA = push_button(OUT = A); property p: "
-        "c.X1 leads to c.X2; }\n";
+    const std::string text = "grafcet d { input A, D; output R; initial step 0 { R if A && D; } }\n" +
+                             with_plant("controller d; plant Fol = follower(P = Q, S = D);", "c.X1 leads to c.X2");
     const ResponseResult result = response(text);
     EXPECT_EQ(result.holds, true);
     EXPECT_EQ(result.refinements, 0U);
