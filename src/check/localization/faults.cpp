@@ -5,6 +5,7 @@
 #include <map>
 #include <vector>
 
+#include "check/inputs/process_states.hpp"
 #include "ir/interval.hpp"
 #include "ir/junction.hpp"
 #include "ir/network/variables.hpp"
@@ -84,6 +85,29 @@ private:
     const Network& network_;
 };
 
+/// Explores processes alone, for all values of the variables of other processes.
+class Alone {
+public:
+    explicit Alone(const Network& network) : network_(network), users_(network), clocks_(analyse_clocks(network)) {}
+
+    /// True if the exploration shows that the process assigns no value outside the range of a variable. PLCs are not
+    /// explored.
+    bool stays_in_range(Id<Network::Process> id) {
+        const auto [known, is_new] = known_.emplace(id, false);
+        if (is_new && !users_.plcs.contains(id))
+            known->second = ProcessStates(network_, users_, clocks_[id.index], id, limits_).explore();
+        return known->second;
+    }
+
+private:
+    const Network& network_;
+    const VariableUsers users_;
+    const std::vector<ProcessClocks> clocks_;
+    const TimedOptions options_ = {};
+    const timed::Limits limits_{options_};  // default options, without limits
+    std::map<Id<Network::Process>, bool> known_ = {};
+};
+
 }  // namespace
 
 bool terms_have_values(const Network& network) {
@@ -103,6 +127,7 @@ bool terms_have_values(const Network& network) {
 
 std::set<std::uint32_t> cells_that_may_err(const Network& network, const NetworkFragments& cells) {
     const Faults faults(network);
+    Alone alone(network);
     std::set<std::uint32_t> found;
     const auto cell_of = [&](Id<Expr> leaf) {
         return cells.of_variable[static_cast<std::size_t>(network.exprs[leaf].value)];
@@ -130,7 +155,7 @@ std::set<std::uint32_t> cells_that_may_err(const Network& network, const Network
                         }
                     continue;
                 }
-                if (faults.stays_in_range(edge, assignments, k)) continue;
+                if (faults.stays_in_range(edge, assignments, k) || alone.stays_in_range(id)) continue;
                 const std::uint32_t process = cells.of_process[id.index];
                 found.insert(process != NetworkFragments::none ? process : cell_of(target));
             }
