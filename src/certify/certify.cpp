@@ -31,19 +31,18 @@ State read_state(Words& words, const Network& network) {
 
 /// A sorted set of states, which contains the initial state and all successors of its states.
 struct Graph {
-    /// The first state shows which values are unknown.
-    Graph(const Network& network, std::string file, std::vector<State> sorted, const std::set<Index>& reacting,
-          bool part)
-        : states(std::move(sorted)), file_(std::move(file)), semantics_(network, states.at(0), reacting, part) {
-        const auto is_unknown = [](Int value) { return value == unknown; };
+    Graph(const Network& network, std::string file, std::vector<State> sorted, const Fragment& fragment)
+        : states(std::move(sorted)), file_(std::move(file)), semantics_(network, fragment) {
         if (std::ranges::adjacent_find(states, std::ranges::greater_equal()) != states.end())
             reject(file_ + ": the states are not sorted");
         State initial = network.initial;
         for (Index k = 0; k < initial.size(); ++k)
-            if (is_unknown(states[0][k])) initial[k] = unknown;
+            if (semantics_.known[k] == unknown) initial[k] = unknown;
         if (!std::ranges::binary_search(states, initial)) reject(file_ + " does not contain the initial state");
         for (Index i = 0; i < states.size(); ++i) {
-            if (!std::ranges::equal(states[i], states[0], {}, is_unknown, is_unknown)) reject_state(i, "is invalid");
+            for (Index k = 0; k < initial.size(); ++k)  // only a variable that is assigned can be open
+                if (states[i][k] == unknown && semantics_.known[k] != unknown && !network.writers.contains(k))
+                    reject_state(i, "is invalid");
             Moves moves = semantics_.moves(states[i]);
             waits_.push_back(moves.waits);
             targets_.emplace_back();
@@ -63,7 +62,8 @@ struct Graph {
     /// Checks that `property` holds or, for `reachable`, that no state satisfies it.
     void check(const Property& property) {
         const Pattern pattern = property.pattern;
-        if (pattern > Pattern::ExactlyOne && ((semantics_.fragment && !semantics_.subsystem) || !errors.empty()))
+        if (pattern > Pattern::ExactlyOne &&
+            ((semantics_.partial && !semantics_.subsystem) || semantics_.step > 1 || !errors.empty()))
             reject(file_ + " is incomplete, or a model error is possible");
         const Index size = states.size();
         std::vector<bool> starts(size), goal(size);  // a path to a goal is necessary from each start
@@ -162,7 +162,7 @@ std::string check(const std::filesystem::path& folder, const std::string& prefix
     if (end == std::string::npos || text.substr(end) != "checksum " + checksum(text.substr(0, end)) + '\n')
         malformed("certificate.txt: damaged or incomplete (wrong checksum)");
     const Network network(model);
-    Semantics semantics(network, network.initial);
+    Semantics semantics(network, {network.initial});
     Words words("certificate.txt", std::string_view(text).substr(0, end));
     words.header("grafverif-certificate");
     if (!words.next_line() || !words.skip("network") || words.word() != checksum(model))
@@ -171,9 +171,10 @@ std::string check(const std::filesystem::path& folder, const std::string& prefix
     for (const Property& property : network.properties) open.insert(property.name);
     std::string result;
     std::optional<Graph> graph;
-    std::map<std::string, Index> errors;  // for each model error: number of sets that allow it
-    std::set<Index> reacting, covered;    // processes; `covered`: those of the subsystems
-    Index states = 0, graphs = 0;
+    std::vector<std::set<std::string>> sets;  // the model errors of each set
+    std::set<Index> covered;                  // processes of the subsystems
+    Fragment fragment;
+    Index states = 0;
     const auto subfolder = [&] {
         const std::string name = words.name();
         if (name[0] == '.' || name.find('/') != std::string::npos) words.fail("invalid folder");
@@ -181,22 +182,30 @@ std::string check(const std::filesystem::path& folder, const std::string& prefix
     };
     while (words.next_line()) {
         const std::string kind = words.name();
-        if (kind == "reacts") reacting.insert(network.find(words, "process "));
-        else if (kind == "states" || kind == "subsystem") {
+        if (kind == "reacts") fragment.reacting.insert(network.find(words, "process "));
+        else if (kind == "step") fragment.step = words.number(1, greatest_clock);
+        else if (kind == "states" || kind == "bounds" || kind == "subsystem") {
             const std::string sum = words.name(), file = (words.at_end() ? "" : subfolder() + '/') + "states.txt";
             const std::string content = content_of(folder / file);
             if (sum != checksum(content)) words.fail(file + " is damaged or belongs to another certificate");
             std::vector<State> sorted;
-            for (Words lines(file, content); lines.next_line();) sorted.push_back(read_state(lines, network));
+            fragment.known = State(network.initial.size(), unknown);
+            for (Words lines(file, content); lines.next_line();) {
+                sorted.push_back(read_state(lines, network));
+                std::ranges::transform(sorted.back(), fragment.known, fragment.known.begin(), std::ranges::max);
+                fragment.partial = fragment.partial || std::ranges::count(sorted.back(), unknown) != 0;
+            }
             if (sorted.empty()) reject(file + " contains no state");
             states += sorted.size();
-            graph.emplace(network, file, std::move(sorted), std::exchange(reacting, {}), kind == "subsystem");
-            for (const std::string& error : graph->errors) ++errors[error];
-            if (kind == "states") ++graphs;
+            fragment.kind = kind;
+            graph.emplace(network, file, std::move(sorted), fragment);
+            if (kind == "states") sets.push_back(graph->errors);
+            else if (kind == "bounds") fragment.bounds.push_back(graph->states);
             else graph->check({"no deadlock", false, Pattern::NoDeadlock});
             for (Index p = 0; p < network.processes.size(); ++p)
-                if (kind != "states" && graph->states[0][network.processes[p].place] != unknown) covered.insert(p);
+                if (kind == "subsystem" && fragment.known[network.processes[p].place] != unknown) covered.insert(p);
             if (kind != "states") graph.reset();
+            fragment = {.known = {}, .bounds = std::move(fragment.bounds)};
         } else if (kind == "omitted") {
             result += prefix + words.name() + ": not certified:";
             result += std::string(words.remainder()) + '\n';
@@ -217,8 +226,9 @@ std::string check(const std::filesystem::path& folder, const std::string& prefix
                 prefix + property.name + ": " + kind + (by_states ? ", proved by the states\n" : ", shown by a run\n");
         } else words.fail("unknown line");
     }
-    for (const auto& [error, count] : errors)
-        if (count == graphs) reject("a model error is possible: " + error);
+    for (const std::string& error : sets.empty() ? std::set<std::string>() : sets[0])
+        if (std::ranges::all_of(sets, [&](const auto& set) { return set.contains(error); }))
+            reject("a model error is possible: " + error);
     for (const std::string& name : open) result += prefix + name + ": not certified: the file has no verdict\n";
     return prefix + "network " + checksum(model) + ": " + std::to_string(states) + " states\n" + result;
 }

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <map>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -25,7 +26,7 @@ using State = std::vector<Int>;  // in the order of declaration: values of varia
 
 inline constexpr Int greatest_clock = Int{1} << 60;
 inline constexpr Int unknown = INT64_MIN;  // in State: the state of a fragment does not contain this value
-inline constexpr Index most_nesting = 500, most_depth = 5000, most_choices = 1'000'000;
+inline constexpr Index most_nesting = 500, most_depth = 5000, most_choices = 1'000'000, most_alone = 4096;
 
 /// Thrown if the files are well-formed but do not prove the claims; the exit code is 1.
 using Rejected = std::domain_error;
@@ -122,13 +123,14 @@ struct Term {
     Index place = 0, depth = 1;  // `place`: for Value, index in State
     std::vector<Index> operands = {};
 };
-using Constraint = std::tuple<Index, Op, Int>;  // clock (index in State), relation and bound
+using Constraint = std::tuple<Index, Op, Int>;             // clock (index in State), relation and bound
+using Assignments = std::vector<std::pair<Index, Index>>;  // target (index in State) and term
 struct Edge {
     Index from = 0, to = 0, guard = 0;
     bool urgent = false;
     std::vector<Constraint> constraint = {};
     std::set<Index> resets = {};
-    std::vector<std::pair<Index, Index>> assignments = {};  // target (index in State) and term
+    Assignments assignments = {};
 };
 using Constraints = std::vector<std::vector<Constraint>>;  // constraints by location
 using Caps = std::vector<std::map<Index, Int>>;            // caps by location and clock (State index)
@@ -169,7 +171,8 @@ struct Network {
     std::vector<Term> terms = {Term{}};  // all terms; index 0 is not used
     Index settled = 0;                   // term
     State initial = {};
-    std::vector<std::pair<Int, Int>> ranges = {};  // range of each value of State, by its index
+    std::vector<std::pair<Int, Int>> ranges = {};   // range of each value of State, by its index
+    std::map<Index, std::set<Index>> writers = {};  // the processes that assign a variable (index in State)
 
 private:
     void read_line(const std::string& kind) {
@@ -210,6 +213,7 @@ private:
         else if (edge && kind == "reset") edge->resets.insert(find(words_, "clock " + process.name + ' '));
         else if (edge && kind == "set") {
             const Index target = find(words_, "variable ");
+            writers[target].insert(processes.size());
             edge->assignments.emplace_back(target, term());
         } else words_.fail("unexpected `" + kind + "`");
     }

@@ -10,6 +10,13 @@
 // network has in all states that the state represents; a certificate can only select the processes
 // whose urgent edges are considered.
 //
+// Some states of a fragment may contain the value of a variable that other states do not contain. Such a variable is
+// *open* in a state without its value: its value is chosen when a move reads it, and the successor contains the choice.
+// An assignment of an open or unknown variable makes the target open. Locations and clocks are never open.
+//
+// Choices agree with the *bounds*: sets of states of other fragments that contain all reachable states. Time may pass
+// in steps of several units if all bounds of known clocks are multiples of a step and none is strict.
+//
 // A *subsystem* is a fragment without moves of processes whose locations are unknown. A subsystem
 // must neither read an unknown value nor contain a variable that a process with an unknown location
 // writes.
@@ -27,29 +34,39 @@ struct Moves {
     std::set<std::string> errors = {};  // the model errors of edges that can be taken
 };
 
-struct Semantics {
-    /// `mask` is a state of the fragment, or a complete state. The urgent edges of the processes in
-    /// `reacting`, whose locations are unknown, also stop time; other processes with unknown
-    /// locations never stop time.
-    Semantics(const Network& of, const State& mask, const std::set<Index>& reacting = {}, bool is_subsystem = false)
-        : network(of), fragment(std::ranges::count(mask, unknown) != 0), subsystem(is_subsystem) {
-        const auto is_known = [&](Index place) { return mask[place] != unknown; };
+/// The values and moves that a set of states represents.
+struct Fragment {
+    State known;                                  // `unknown` for each place whose value no state contains
+    std::string kind = {};                        // `states`, `bounds` or `subsystem`; empty for runs
+    bool partial = false;                         // true if some state does not contain some value
+    Int step = 1;                                 // duration of a delay
+    std::set<Index> reacting = {};                // processes with unknown locations whose urgent edges stop time
+    std::vector<std::vector<State>> bounds = {};  // sets that contain all reachable states
+};
+
+struct Semantics : Fragment {
+    Semantics(const Network& of, Fragment fragment) : Fragment(std::move(fragment)), network(of) {
+        const auto is_known = [&](Index place) { return known[place] != unknown; };
         const auto changes = [&](const auto& assignment) { return is_known(assignment.first); };
         const auto errs = [&](const auto& assignment) { return !fits(assignment.first, assignment.second); };
-        for (Index p = 0; p < of.processes.size(); ++p)
+        for (Index p = 0; p < of.processes.size(); ++p) {
+            std::ranges::for_each(of.processes[p].invariants, [&](const auto& list) { check_step(list); });
             for (const Edge& edge : of.processes[p].edges) {
+                check_step(edge.constraint);
                 const bool own = is_known(of.processes[p].place);
                 bool acts =
                     std::ranges::any_of(edge.assignments, changes) || std::ranges::any_of(edge.resets, is_known);
                 if (subsystem && !own && acts) reject("an edge of another subsystem changes a value of this subsystem");
-                acts = acts || of.terms[edge.guard].low == unknown || std::ranges::any_of(edge.assignments, errs);
-                if (own || (acts && !subsystem)) edges_.emplace_back(p, &edge);
+                if (kind == "states" && of.terms[edge.guard].low == unknown) acts = true;
+                if (kind == "states" && std::ranges::any_of(edge.assignments, errs)) acts = true;
+                if (own || acts) edges_.emplace_back(p, &edge);
                 if (edge.urgent && (own || reacting.contains(p))) urgent_.emplace_back(p, &edge);
             }
+        }
     }
 
     const Network& network;
-    const bool fragment, subsystem;
+    const bool subsystem = kind == "subsystem";
 
     bool truth(Index term, const State& state) try { return value(term, state) != 0; } catch (const NoValue&) {
         reject("a term of a property or `settled` has no value in some state");
@@ -71,10 +88,10 @@ struct Semantics {
         // Two true operands decide `exactly one of`, even if a later operand has no value.
         const auto is_true = [&, found = 0](Index k) mutable { return found < 2 && truth(k, state) && ++found != 0; };
         return property.pattern <= Pattern::ExactlyOne && any_choice([&] {
-                   const auto count =
-                       concerns(property, state) ? std::ranges::count_if(property.operands, is_true) : -1;
-                   if (count < 0 || property.pattern == Pattern::ExactlyOne) return count >= 0 && count != 1;
-                   return (count != 0) != (property.pattern == Pattern::Always);
+                   if (!concerns(property, state)) return false;
+                   const auto count = std::ranges::count_if(property.operands, is_true);
+                   const bool one = property.pattern == Pattern::ExactlyOne ? count == 1 : count == 0;
+                   return one == (property.pattern == Pattern::Always) && is_possible({});
                });
     }
 
@@ -87,14 +104,14 @@ struct Semantics {
             try {
                 return is_enabled(move, now, next, false);
             } catch (const NoValue&) {
-                return !fragment;
+                return !partial;
             }
         };
-        made.waits = any_choice([&] { return std::ranges::none_of(urgent_, is_urgent); });
+        made.waits = any_choice([&] { return std::ranges::none_of(urgent_, is_urgent) && is_possible({}); });
         next = now;
         for (const Process& process : network.processes) {
             for (const auto& [clock, cap] : process.caps[0])
-                if (now[clock] != unknown) ++next[clock];
+                if (now[clock] != unknown) next[clock] += step;
             if (now[process.place] == unknown) continue;
             made.waits = made.waits && satisfied(process.invariants[location(process, now)], next, true);
             reduce(process, next);
@@ -105,6 +122,30 @@ struct Semantics {
 
 private:
     using Move = std::pair<Index, const Edge*>;  // a process, and an edge of the process
+
+    /// Rejects a step if a delay could pass over a bound of a known clock.
+    void check_step(const std::vector<Constraint>& list) const {
+        for (const auto& [clock, relation, bound] : list)
+            if (step != 1 && known[clock] != unknown && (bound % step != 0 || relation == Op::Lt || relation == Op::Gt))
+                reject("a bound is strict, or is not a multiple of the step");
+    }
+    /// True if the choices agree with a state of each set in `bounds`. Choices of variables in `assigned` are ignored,
+    /// because they may be later values.
+    bool is_possible(const Assignments& assigned) const {
+        const auto agrees = [&](const State& state) {
+            return std::ranges::all_of(std::span(choices_).first(next_choice_), [&](const auto& choice) {
+                const auto& [place, value] = choice;
+                return state[place] == unknown || state[place] == value ||
+                       std::ranges::count(assigned, place, &Assignments::value_type::first) != 0;
+            });
+        };
+        return std::ranges::all_of(bounds, [&](const auto& states) { return std::ranges::any_of(states, agrees); });
+    }
+    /// True if the term is a variable without known or chosen value.
+    bool is_open(Index index, const State& state) const {
+        const Term& term = network.terms[index];
+        return !subsystem && term.op == Op::Value && state[term.place] == unknown && free_[term.place] == unknown;
+    }
 
     /// True if all values of the term are in the range of the variable.
     bool fits(Index target, Index term) const {
@@ -137,16 +178,21 @@ private:
             for (; k < edge->assignments.size(); ++k) {
                 const auto& [target, term] = edge->assignments[k];
                 const auto& [low, high] = network.ranges[target];
-                Int& variable = (now[target] == unknown ? free_ : next)[target];
-                if (now[target] == unknown && fits(target, term)) variable = unknown;
+                Int& variable = (known[target] == unknown ? free_ : next)[target];
+                if (fits(target, term) && (known[target] == unknown || is_open(term, next)))
+                    free_[target] = variable = unknown;
                 else if (variable = value(term, next); variable < low || variable > high) throw NoValue();
             }
             if (now[process.place] != unknown) next[process.place] = static_cast<Int>(edge->to);
             for (const Index clock : edge->resets)
                 if (now[clock] == unknown) next[clock] = unknown;
+            for (Index i = 0; i < next_choice_; ++i)
+                if (Int& open = next[choices_[i].first]; open == unknown && known[choices_[i].first] != unknown)
+                    open = free_[choices_[i].first];
             reduce(process, next);
-            made.next.push_back(std::move(next));
+            if (is_possible(edge->assignments)) made.next.push_back(std::move(next));
         } catch (const NoValue&) {
+            if (!is_possible(edge->assignments)) return;
             const auto number = std::to_string(edge - process.edges.data()) + " (" + std::to_string(k) + ')';
             made.errors.insert("edge " + number + " of `" + process.name + "` causes a model error");
         }
@@ -158,7 +204,7 @@ private:
     bool any_choice(const Run& run) {
         choices_.clear();
         for (Index runs = 0; runs < most_choices; ++runs) {
-            if (fragment) std::ranges::fill(free_, unknown);
+            if (partial) std::ranges::fill(free_, unknown);
             next_choice_ = 0;
             if (run()) return true;
             while (!choices_.empty() && choices_.back().second == network.ranges[choices_.back().first].second)

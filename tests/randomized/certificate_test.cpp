@@ -113,7 +113,7 @@ void forge_checksums(Files& files) {
         words >> kind >> sum >> folder;
         if (kind == "checksum") continue;
         if (kind == "network") line = "network " + certificate::checksum(files["network.txt"]);
-        if (kind == "states" || kind == "subsystem") {
+        if (kind == "states" || kind == "bounds" || kind == "subsystem") {
             const auto file = files.find((folder.empty() ? "" : folder + '/') + "states.txt");
             if (file != files.end())
                 line = kind + ' ' + certificate::checksum(file->second) + (folder.empty() ? "" : ' ' + folder);
@@ -169,6 +169,22 @@ Report separate_report(const Network& network, bool by_parts) {
     return report;
 }
 
+/// Selects abstractions for half of the verdicts: random levels of the processes except PLCs. The verdicts are then
+/// proved by fragments, if possible.
+void select_abstractions(const Network& network, Report& report, Random& random) {
+    for (PropertyResult& answer : report.answers) {
+        if (random_number(random, 0, 1) == 0) continue;
+        InputsAbstracted& levels = answer.verdict.abstraction.emplace();
+        for (const Network::Process& process : network.processes) {
+            const bool is_instance =
+                process.kind == Network::ProcessKind::Plant || process.kind == Network::ProcessKind::Environment;
+            const std::int64_t level = random_number(random, is_instance ? 0 : 2, 3);
+            if (level < 2) levels.chosen.push_back(process.name);
+            if (level == 2 && process.kind != Network::ProcessKind::Controller) levels.untimed.push_back(process.name);
+        }
+    }
+}
+
 std::optional<Network> random_model(std::uint64_t seed) {
     Random random(seed);
     if (seed % 5 == 0) {
@@ -207,7 +223,9 @@ std::optional<Case> random_case(std::uint64_t seed, bool single) {
         return {};
     made.report = report_of(made.network);
     // Verdicts of fragments and of subsystems must be those of the complete network.
-    const Report separate = seed % 5 == 0 || seed % 3 == 1 ? separate_report(made.network, seed % 5 != 0) : made.report;
+    Report separate = seed % 5 == 0 || seed % 3 == 1 ? separate_report(made.network, seed % 5 != 0) : made.report;
+    Random random(seed);
+    if (seed % 5 != 0 && seed % 3 == 2) select_abstractions(made.network, separate, random);
     made.certificate = certificate_of({made.network}, separate, {});
     made.files = files_of(made.certificate);
     return made;
@@ -217,7 +235,8 @@ TEST(RandomizedCertificate, CertificatesOfRandomModelsAreAccepted) {
     CertificateFolder folder;
     std::map<std::string, int> shown;
     std::map<CertificateKind, int> kinds;
-    int models = 0;
+    std::map<std::string, int> keywords;  // first words of the lines of certificate.txt
+    int models = 0, open = 0;
     for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(test_size(150)); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         const std::optional<Case> one = random_case(seed, false);
@@ -227,6 +246,15 @@ TEST(RandomizedCertificate, CertificatesOfRandomModelsAreAccepted) {
         for (const CertificateSummary::Certified& certified : one->certificate.summary.certified)
             ++kinds[certified.kind];
         ASSERT_EQ(folder.check(one->files), Checked::Accepted) << folder.text;
+        for (const auto& [name, content] : one->files) {
+            const std::vector<std::string> lines = lines_of(content);
+            if (name.ends_with("certificate.txt"))
+                for (const std::string& line : lines) ++keywords[line.substr(0, line.find(' '))];
+            const auto unknown = [](const std::string& line) { return std::ranges::count(line, '*'); };
+            if (name.ends_with("states.txt") && std::ranges::min(lines, {}, unknown) != lines.back() &&
+                unknown(std::ranges::min(lines, {}, unknown)) != unknown(std::ranges::max(lines, {}, unknown)))
+                ++open;  // some states have an open variable
+        }
         const auto claims = accepted_claims(folder.text);
         EXPECT_EQ(claims.size(), one->certificate.summary.certified.size());
         expect_true(folder.text, one->report);
@@ -241,6 +269,9 @@ TEST(RandomizedCertificate, CertificatesOfRandomModelsAreAccepted) {
     EXPECT_GT(shown["violated, proved by the states"], 0);
     EXPECT_GT(kinds[CertificateKind::Fragment], test_size(150) / 10);
     EXPECT_GT(kinds[CertificateKind::Subsystems], 0);
+    EXPECT_GT(keywords["bounds"], 0);
+    EXPECT_GT(keywords["step"], 0);
+    EXPECT_GT(open, 0);
 }
 
 /// Returns the certificate with a change that alters its meaning, and with correct checksums. `changes_states` becomes
@@ -452,7 +483,7 @@ TEST(RandomizedCertificate, FragmentsThatIgnoreAPremiseProveNoFalseClaim) {
                     variable != flat.race && std::ranges::find(read, cells.of_variable[variable.index]) != read.end();
             for (int k = 0; k < static_cast<int>(Broken::count); ++k) {
                 const Network other = without_premise(flat, content, static_cast<Broken>(k));
-                const auto found = fragment_states(other, content, &property, {.states = 2000});
+                const auto found = fragment_states(other, content, {}, &property, {.states = 2000});
                 if (!found) continue;
                 Files files;
                 files["network.txt"] = certificate::network_text(flat, {property});

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <deque>
 #include <iterator>
 #include <utility>
 
@@ -72,28 +73,31 @@ public:
           folder_(std::move(folder)),
           certificate_(certificate) {}
 
-    /// Adds the claims about `reported` and the lines `more` to the index. A subfolder without claims is not written.
-    /// Returns the lines for the index of the folder that contains this folder. Verdicts of localization and of input
-    /// abstraction are proved by fragments. All other verdicts need a complete search.
-    std::string write(const std::vector<const Verdict*>& reported, TimedOptions options, const std::string& more = {}) {
-        limits_.deadline = options.deadline;
-        limits_.stop = options.stop;
-        limits_.states = std::min(options.max_states, limits_.states);
+    /// Proves `reported` by fragments, subsystems and runs. Only verdicts of localization and of input abstraction are
+    /// proved by fragments.
+    void begin(const std::vector<const Verdict*>& reported, TimedOptions options) {
+        options_ = std::move(options);
+        limits_.deadline = options_.deadline;
+        limits_.stop = options_.stop;
+        limits_.states = std::min(options_.max_states, limits_.states);
         const auto is_separate = [](const Verdict* one) { return one->scope.cells || one->abstraction.has_value(); };
         std::vector<const Verdict*> separate, others;
         std::ranges::partition_copy(reported, std::back_inserter(separate), std::back_inserter(others), is_separate);
         for (const Verdict* verdict : prove_by_fragments(separate)) others.push_back(verdict);
         std::erase_if(others, [&](const Verdict* verdict) { return prove_by_subsystems(*verdict); });
-        std::vector<const Verdict*> known;
-        std::vector<std::pair<const Verdict*, std::string>> by_runs;
         for (const Verdict* verdict : others) {
             if (verdict->outcome == Outcome::Unknown) omit(*verdict, "the verdict is unknown");
             else if (!unwritable_.empty()) omit(*verdict, unwritable_);
-            else if (std::optional<std::string> run = proving_run(*verdict)) by_runs.emplace_back(verdict, *run);
-            else known.push_back(verdict);
+            else if (std::optional<std::string> run = proving_run(*verdict)) by_runs_.emplace_back(verdict, *run);
+            else open_.push_back(verdict);
         }
-        if (!known.empty()) prove_completely(known, std::move(options));
-        for (const auto& [verdict, run] : by_runs)
+    }
+
+    /// Proves all other verdicts by a complete search. Adds the claims and the lines `more` to the index. A subfolder
+    /// without claims is not written. Returns the lines for the index of the folder that contains this folder.
+    std::string finish(const std::string& more = {}) {
+        if (!open_.empty()) prove_completely(open_, options_);
+        for (const auto& [verdict, run] : by_runs_)
             claim(reported_property(flat_, *verdict), verdict->outcome, CertificateKind::Run, run);
         return written(more);
     }
@@ -107,7 +111,7 @@ private:
         claims_ += fmt::format("{} {}\n{}", word(outcome), certificate::word_of(property.name), run);
         certificate_.summary.certified.push_back({property.name, kind});
     }
-    /// Adds a set of states in a subfolder; `keyword` is `states` or `subsystem`.
+    /// Adds a set of states in a subfolder; `keyword` is `states`, `bounds` or `subsystem`.
     void add_states(std::string_view keyword, const std::string& subfolder, const FragmentStates& found) {
         std::string text = certificate::states_text(found.states);
         claims_ += fmt::format("{} {} {}\n", keyword, certificate::checksum(text), subfolder);
@@ -172,14 +176,18 @@ private:
             (proofs.prove(*verdict, reported_property(flat_, *verdict)) ? proved : open).push_back(verdict);
         if (!proofs.exclude_errors()) return verdicts;
         std::size_t number = 0;
+        for (const FragmentStates& bound : proofs.bounds())
+            add_states("bounds", fmt::format("bounds-{}", ++number), bound);
         for (const FragmentProofs::Proof& proof : proofs.proofs()) {
+            if (proof.content.step > 1) claims_ += fmt::format("step {}\n", proof.content.step);
             for (const Id<Network::Process> process : proof.content.reacting)
                 claims_ += fmt::format("reacts {}\n", certificate::word_of(flat_.processes[process].name));
-            const std::string word = proof.property ? folder_of(proof.property->name) : "errors";
+            const std::string word = proof.properties.empty() ? "errors" : folder_of(proof.properties.front().name);
             add_states("states", fmt::format("{}-{}", word, ++number), proof.found);
-            if (!proof.property) continue;
-            const bool is_violated = proof.property->pattern == Pattern::Reachable;
-            claim(*proof.property, is_violated ? Outcome::Violated : Outcome::Holds, CertificateKind::Fragment);
+            for (const Property& property : proof.properties) {
+                const bool is_violated = property.pattern == Pattern::Reachable;
+                claim(property, is_violated ? Outcome::Violated : Outcome::Holds, CertificateKind::Fragment);
+            }
         }
         return open;
     }
@@ -286,7 +294,10 @@ private:
     const std::string unwritable_;  ///< the reason why the format cannot represent the network; empty if it can
     std::string folder_;
     Certificate& certificate_;
+    TimedOptions options_ = {};
     FragmentLimits limits_ = {};
+    std::vector<const Verdict*> open_ = {};  ///< verdicts that need a complete search
+    std::vector<std::pair<const Verdict*, std::string>> by_runs_ = {};
     std::string claims_ = {};
     std::vector<Property> properties_ = {};
     std::vector<CertificateSummary::Omitted> omitted_ = {};
@@ -296,27 +307,31 @@ private:
 
 Certificate certificate_of(const LoopToCheck& loop, const Report& report, const CheckOptions& options) {
     Certificate certificate;
-    std::string more;
     const std::vector<Id<Property>> by_observers = watched(loop.network);
     std::vector<const Verdict*> others;
-    TimedOptions search = timed_options(loop, options);
+    std::vector<std::pair<Id<Property>, const Verdict*>> observed_ones;
     for (const PropertyResult& answer : report.answers) {
-        const Verdict& verdict = answer.verdict;
-        const auto observed_one = std::ranges::find_if(
-            by_observers, [&](Id<Property> id) { return loop.network.properties[id].name == verdict.property; });
-        if (observed_one == by_observers.end()) {
-            others.push_back(&verdict);
-            continue;
-        }
-        search.properties = {verdict.property};
-        search.timelock = false;
-        more += FolderWriter(expand(observed(loop.network, {*observed_one})), folder_of(verdict.property), certificate)
-                    .write({&verdict}, search);
+        const auto found = std::ranges::find_if(
+            by_observers, [&](Id<Property> id) { return loop.network.properties[id].name == answer.verdict.property; });
+        if (found == by_observers.end()) others.push_back(&answer.verdict);
+        else observed_ones.emplace_back(*found, &answer.verdict);
     }
+    // Complete searches come last, because they may use all of the time.
+    TimedOptions search = timed_options(loop, options);
     search.properties = {};
     search.timelock = true;
-    FolderWriter(expand(by_observers.empty() ? loop.network : observed(loop.network, {})), "", certificate)
-        .write(others, search, more);
+    FolderWriter main(expand(by_observers.empty() ? loop.network : observed(loop.network, {})), "", certificate);
+    main.begin(others, search);
+    std::deque<FolderWriter> subfolders;
+    for (const auto& [id, verdict] : observed_ones) {
+        search.properties = {verdict->property};
+        search.timelock = false;
+        subfolders.emplace_back(expand(observed(loop.network, {id})), folder_of(verdict->property), certificate);
+        subfolders.back().begin({verdict}, search);
+    }
+    std::string more;
+    for (FolderWriter& subfolder : subfolders) more += subfolder.finish();
+    main.finish(more);
     std::ranges::stable_sort(certificate.summary.certified, {}, [&](const CertificateSummary::Certified& one) {
         return std::ranges::find(report.answers, one.property,
                                  [](const PropertyResult& answer) { return answer.verdict.property; });

@@ -6,11 +6,15 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <numeric>
+#include <span>
 
 #include "emit/certificate/certificate.hpp"
 #include "ir/integer_operators.hpp"
 #include "ir/junction.hpp"
 #include "ir/network_clocks.hpp"
+#include "ir/slots.hpp"
+#include "ir/variable_users.hpp"
 
 namespace grafverif {
 
@@ -25,8 +29,9 @@ struct NoFragment {};
 
 class FragmentSearch {
 public:
-    FragmentSearch(const Network& flat, const FragmentContent& content, const FragmentLimits& limits)
-        : network_(flat), content_(content), limits_(limits), clocks_(analyse_clocks(flat)) {
+    FragmentSearch(const Network& flat, const FragmentContent& content, const std::vector<FragmentStates>& bounds,
+                   const FragmentLimits& limits)
+        : network_(flat), content_(content), outer_(bounds), limits_(limits), clocks_(analyse_clocks(flat)) {
         find_places();
         find_bounds();
         for (const Id<Network::Process> id : flat.processes.ids()) add_edges(id);
@@ -40,7 +45,7 @@ public:
         while (!open.empty()) {
             const Values now = std::move(open.back());
             open.pop_back();
-            if (property != nullptr && any_choice([&] { return is_decided(*property, now); })) throw NoFragment();
+            if (property != nullptr && decides(*property, now)) throw NoFragment();
             const auto visit = [&](Values next) {
                 const auto [found, is_new] = seen.insert(std::move(next));
                 if (is_new) open.push_back(*found);
@@ -56,6 +61,11 @@ public:
         FragmentStates made{{}, std::move(errors_)};
         made.states.assign(seen.begin(), seen.end());
         return made;
+    }
+
+    /// True if a state that `state` represents decides the property.
+    bool decides(const Property& property, const std::vector<std::int64_t>& state) {
+        return any_choice([&] { return is_decided(property, state) && is_possible(); });
     }
 
 private:
@@ -96,6 +106,8 @@ private:
             for (const Network::Location& at : automaton.locations) invariants.push_back(bounds(id, at.invariant));
         }
     }
+
+    bool is_subsystem() const { return content_.kind == FragmentKind::Subsystem; }
 
     std::size_t place(Id<Network::Process> process, Id<Network::Clock> clock) const {
         return location_[process.index] + 1 + clock.index;
@@ -166,9 +178,9 @@ private:
                 acts = acts || is_known(target);
                 errs = errs || (value.valid() && !fits(target, value));
             }
-            if (content_.subsystem && !own && acts) throw NoFragment();
+            if (is_subsystem() && !own && acts) throw NoFragment();
             edges_.push_back(std::make_unique<Edge>(std::move(made)));
-            if (own || (!content_.subsystem && (acts || errs))) acting_.push_back(edges_.back().get());
+            if (own || acts || (errs && content_.kind == FragmentKind::States)) acting_.push_back(edges_.back().get());
             if (edge.urgent && (own || content_.reacting.contains(id))) urgent_.push_back(edges_.back().get());
         }
     }
@@ -176,7 +188,7 @@ private:
     bool satisfied(const std::vector<Bound>& list, const Values& state, bool if_unknown) const {
         return std::ranges::all_of(list, [&](const Bound& one) {
             if (state[one.clock] != unknown) return admitted(one.relation, one.value).contains(state[one.clock]);
-            if (content_.subsystem) throw NoFragment();
+            if (is_subsystem()) throw NoFragment();
             return if_unknown;
         });
     }
@@ -197,14 +209,14 @@ private:
             if (!is_enabled(edge, now, next, true)) return {};
             for (; k < edge.assignments.size(); ++k) {
                 const auto& [target, term] = edge.assignments[k];
-                std::int64_t& variable = (now[target] == unknown ? free_ : next)[target];
+                const bool known = first_[target] != unknown;
+                std::int64_t& variable = (known ? next : free_)[target];
                 if (!term.valid()) {
-                    const std::int64_t initial = network_.variables[{static_cast<std::uint32_t>(target)}].initial;
-                    variable = now[target] == unknown ? unknown : initial;
+                    variable = known ? network_.variables[{static_cast<std::uint32_t>(target)}].initial : unknown;
                     continue;
                 }
-                if (now[target] == unknown && fits(target, term)) {
-                    variable = unknown;
+                if (fits(target, term) && (!known || is_open(term, next))) {
+                    free_[target] = variable = unknown;
                     continue;
                 }
                 const std::int64_t result = value(term, next);
@@ -214,12 +226,40 @@ private:
             if (now[location_[edge.process.index]] != unknown) next[location_[edge.process.index]] = edge.to;
             for (const std::size_t clock : edge.resets)
                 if (now[clock] == unknown) next[clock] = unknown;
+            for (std::size_t i = 0; i < next_choice_; ++i)  // open variables keep the choices
+                if (const std::size_t at = choices_[i].first; first_[at] != unknown && next[at] == unknown)
+                    next[at] = free_[at];
             reduce(edge.process, next);
-            return next;
+            return is_possible(&edge) ? std::optional(std::move(next)) : std::nullopt;
         } catch (const NoValue&) {
-            errors_.insert(fmt::format("{} {} {}", edge.process.index, edge.number, k));
+            if (is_possible(&edge)) errors_.insert(fmt::format("{} {} {}", edge.process.index, edge.number, k));
             return {};
         }
+    }
+
+    /// True if the term is a variable without known or chosen value.
+    bool is_open(Id<Expr> term, const Values& state) const {
+        const Expr& node = network_.exprs[term];
+        const auto at = static_cast<std::size_t>(node.value);
+        return !is_subsystem() && node.op == Op::Variable && state[at] == unknown && free_[at] == unknown;
+    }
+
+    /// True if the choices agree with a state of each of the bounds. Choices of variables that `edge` assigns are
+    /// ignored, because they may be later values. `edge` may be null.
+    bool is_possible(const Edge* edge = nullptr) const {
+        const auto is_assigned = [&](std::size_t place) {
+            return edge != nullptr && std::ranges::any_of(edge->assignments, [&](const auto& assignment) {
+                       return assignment.first == place;
+                   });
+        };
+        const auto agrees = [&](const Values& state) {
+            return std::ranges::all_of(std::span(choices_).first(next_choice_), [&](const auto& choice) {
+                const auto& [place, value] = choice;
+                return state[place] == unknown || state[place] == value || is_assigned(place);
+            });
+        };
+        return std::ranges::all_of(
+            outer_, [&](const FragmentStates& bound) { return std::ranges::any_of(bound.states, agrees); });
     }
 
     std::optional<Values> after_delay(const Values& now) {
@@ -231,13 +271,13 @@ private:
                 return false;
             }
         };
-        if (!any_choice([&] { return std::ranges::none_of(urgent_, is_urgent); })) return {};
+        if (!any_choice([&] { return std::ranges::none_of(urgent_, is_urgent) && is_possible(); })) return {};
         next = now;
         for (const Id<Network::Process> id : network_.processes.ids()) {
             const std::size_t at = location_[id.index];
             const std::size_t count = network_.templates[network_.processes[id].automaton].clocks.size();
             for (std::size_t clock = at + 1; clock <= at + count; ++clock)
-                if (now[clock] != unknown) ++next[clock];
+                if (now[clock] != unknown) next[clock] += content_.step;
             if (now[at] == unknown) continue;
             if (!satisfied(invariants_[id.index][static_cast<std::size_t>(now[at])], next, true)) return {};
             reduce(id, next);
@@ -291,7 +331,7 @@ private:
 
     std::int64_t read(std::size_t place, const Values& state) {
         if (state[place] != unknown) return state[place];
-        if (content_.subsystem) throw NoFragment();
+        if (is_subsystem()) throw NoFragment();
         if (free_[place] != unknown) return free_[place];
         if (next_choice_ == choices_.size()) choices_.emplace_back(place, ranges_[place].first);
         return free_[place] = choices_[next_choice_++].second;
@@ -339,6 +379,7 @@ private:
 
     const Network& network_;
     const FragmentContent& content_;
+    const std::vector<FragmentStates>& outer_;  ///< bounds
     const FragmentLimits& limits_;
     const std::vector<ProcessClocks> clocks_;
     Values first_ = {};                                               ///< the first state
@@ -363,14 +404,55 @@ FragmentContent complete_content(const Network& flat) {
             std::vector<bool>(flat.processes.size(), true)};
 }
 
+FragmentContent content_alone(const Network& flat, Id<Network::Process> process) {
+    FragmentContent content{std::vector<bool>(flat.variables.size()), std::vector<bool>(flat.processes.size()),
+                            std::vector<bool>(flat.processes.size())};
+    const VariableUsers users(flat);
+    content.locations[process.index] = true;
+    for (const Id<Network::Variable> variable : Slots(flat, process).written())
+        content.variables[variable.index] = users.writers[variable.index].size() == 1;
+    content.kind = FragmentKind::Bounds;
+    return content;
+}
+
+std::int64_t greatest_step(const Network& flat, const FragmentContent& content) {
+    std::int64_t step = 0;
+    const auto add = [&](const std::vector<Network::ClockConstraint>& list) {
+        for (const Network::ClockConstraint& one : list)
+            step = one.relation == Op::Less || one.relation == Op::Greater
+                       ? 1
+                       : std::gcd(step, bound_value(flat, {}, one.bound));
+    };
+    for (const Id<Network::Process> id : flat.processes.ids()) {
+        if (!content.clocks[id.index]) continue;
+        const Network::Template& automaton = flat.templates[flat.processes[id].automaton];
+        for (const Network::Location& location : automaton.locations) add(location.invariant);
+        for (const Network::Edge& edge : automaton.edges) add(edge.constraint);
+    }
+    return std::max<std::int64_t>(step, 1);
+}
+
 std::optional<FragmentStates> fragment_states(const Network& flat, const FragmentContent& content,
-                                              const Property* property, const FragmentLimits& limits) {
+                                              const std::vector<FragmentStates>& bounds, const Property* property,
+                                              const FragmentLimits& limits) {
     try {
-        return FragmentSearch(flat, content, limits).result(property);
+        return FragmentSearch(flat, content, bounds, limits).result(property);
     } catch (const NoFragment&) {
         return {};
     } catch (const NoValue&) {
         return {};
+    }
+}
+
+bool satisfies(const Network& flat, const FragmentContent& content, const std::vector<FragmentStates>& bounds,
+               const FragmentStates& found, const Property& property, const FragmentLimits& limits) {
+    try {
+        FragmentSearch search(flat, content, bounds, limits);
+        return std::ranges::none_of(found.states, [&](const auto& state) { return search.decides(property, state); });
+    } catch (const NoFragment&) {
+        return false;
+    } catch (const NoValue&) {
+        return false;
     }
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "check/localization/faults.hpp"
+#include "check/shares.hpp"
 #include "ir/network_subsystems.hpp"
 #include "ir/slots.hpp"
 
@@ -13,7 +14,8 @@ namespace grafverif {
 
 namespace {
 
-constexpr int most_extensions = 4;  // maximum number of times that fragments are added for one property
+constexpr int most_extensions = 4;          // maximum number of times that fragments are added for one property
+constexpr std::uint64_t most_alone = 4096;  // maximum number of states of a process alone
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();
@@ -24,10 +26,14 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 FragmentProofs::FragmentProofs(const Network& flat, const FragmentLimits& limits)
     : flat_(flat), limits_(limits), cells_(cells_of(flat)) {}
 
-bool FragmentProofs::add(const FragmentContent& content, const Property* property) {
-    std::optional<FragmentStates> found = fragment_states(flat_, content, property, limits_);
+bool FragmentProofs::add(FragmentContent content, const Property* property) {
+    content.step = greatest_step(flat_, content);
+    FragmentLimits limits = limits_;
+    limits.deadline = share_of(limits_.deadline, 4);
+    std::optional<FragmentStates> found = fragment_states(flat_, content, bounds_, property, limits);
     if (!found) return false;
-    proofs_.push_back({content, std::move(*found), property != nullptr ? std::optional(*property) : std::nullopt});
+    proofs_.push_back({std::move(content), std::move(*found), {}});
+    if (property != nullptr) proofs_.back().properties.push_back(*property);
     return true;
 }
 
@@ -79,22 +85,75 @@ bool FragmentProofs::prove_by_cells(std::vector<std::uint32_t> chosen, const Pro
     return false;
 }
 
-/// A chosen instance is unknown, with all variables that it writes. An untimed or paced instance has unknown clocks.
+/// Adds the states of a process alone to the bounds, if a state has several values that may exclude each other.
+void FragmentProofs::add_bounds(Id<Network::Process> process) {
+    if (!bounded_.insert(process).second) return;
+    const FragmentContent alone = content_alone(flat_, process);
+    if (std::ranges::count(alone.variables, true) < 2) return;
+    FragmentLimits limits = limits_;
+    limits.states = most_alone;
+    limits.attempts = most_alone * 64;
+    if (auto found = fragment_states(flat_, alone, {}, nullptr, limits)) bounds_.push_back(std::move(*found));
+}
+
+/// Makes all variables unknown that neither the property nor a guard or a known variable of a known process needs.
+void FragmentProofs::omit_unread(FragmentContent& content, const Property& property) const {
+    std::vector<bool> needed(flat_.variables.size(), false);
+    bool grows = true;
+    const auto need = [&](Id<Expr> term) {
+        for (const Id<Expr> leaf : leaves(flat_.exprs, term)) {
+            if (flat_.exprs[leaf].op != Op::Variable) continue;
+            const auto variable = static_cast<std::size_t>(flat_.exprs[leaf].value);
+            grows = grows || !needed[variable];
+            needed[variable] = true;
+        }
+    };
+    std::ranges::for_each(property.operands, need);
+    if (property.at_stable) need(flat_.settled);
+    while (std::exchange(grows, false))
+        for (const Id<Network::Process> id : flat_.processes.ids()) {
+            if (!content.locations[id.index]) continue;
+            const Slots slots(flat_, id);
+            for (const Network::Edge& edge : slots.automaton.edges) {
+                need(edge.guard);
+                for (const Network::Assignment& assignment : slots.assignments(edge))
+                    if (needed[static_cast<std::size_t>(flat_.exprs[assignment.target].value)]) need(assignment.value);
+            }
+        }
+    for (std::size_t variable = 0; variable < needed.size(); ++variable)
+        content.variables[variable] = content.variables[variable] && needed[variable];
+}
+
+/// Proves the property with the states of an earlier proof.
+bool FragmentProofs::prove_again(const Property& property) {
+    const auto found = std::ranges::find_if(proofs_, [&](const Proof& proof) {
+        return satisfies(flat_, proof.content, bounds_, proof.found, property, limits_);
+    });
+    if (found != proofs_.end()) found->properties.push_back(property);
+    return found != proofs_.end();
+}
+
+/// A chosen instance is unknown, with all variables that it writes. In the first attempt, the flags by which it requests
+/// a cycle of a PLC are also unknown. An untimed instance has unknown clocks.
 bool FragmentProofs::prove_by_inputs(const InputsAbstracted& reduced, const Property& property) {
-    for (const bool keeps_chosen : {false, true}) {
+    if (prove_again(property)) return true;
+    for (const bool keeps_flags : {false, true}) {
         FragmentContent content = complete_content(flat_);
         if (flat_.race.valid()) content.variables[flat_.race.index] = false;
         for (const Id<Network::Process> id : flat_.processes.ids()) {
             const std::string& name = flat_.processes[id].name;
             const bool is_chosen = contains(reduced.chosen, name);
-            if (!is_chosen && !contains(reduced.untimed, name) && !contains(reduced.paced, name)) continue;
+            if (!is_chosen && !contains(reduced.untimed, name)) continue;
             content.clocks[id.index] = false;
-            if (!is_chosen || keeps_chosen) continue;
+            if (!is_chosen) continue;
+            add_bounds(id);
             content.locations[id.index] = false;
             for (const Id<Network::Variable> variable : Slots(flat_, id).written())
-                if (flat_.variables[variable].role != Network::Role::Flag) content.variables[variable.index] = false;
+                if (!keeps_flags || flat_.variables[variable].role != Network::Role::Flag)
+                    content.variables[variable.index] = false;
         }
-        if (add(content, &property)) return true;
+        omit_unread(content, property);
+        if (add(std::move(content), &property)) return true;
     }
     return false;
 }
@@ -110,7 +169,7 @@ bool FragmentProofs::prove(const Verdict& reported, const Property& property) {
                          flat_.exprs[property.operands[0]].value == flat_.race.index;
     if (of_race) {  // no state of a fragment has a race, because a race is a model error
         if (proofs_.empty()) return prove_by_cells({0}, &property);
-        proofs_.push_back({proofs_.back().content, proofs_.back().found, property});
+        proofs_.back().properties.push_back(property);
         return true;
     }
     if (reported.scope.cells) {
@@ -165,8 +224,8 @@ std::optional<std::vector<FragmentStates>> FragmentProofs::subsystems() const {
     std::vector<FragmentStates> all;
     for (std::uint32_t part = 0; part < parts_of(flat_).count; ++part) {
         FragmentContent content = content_of_parts({part});
-        content.subsystem = true;
-        std::optional<FragmentStates> found = fragment_states(flat_, content, nullptr, limits_);
+        content.kind = FragmentKind::Subsystem;
+        std::optional<FragmentStates> found = fragment_states(flat_, content, {}, nullptr, limits_);
         if (!found || !found->errors.empty()) return {};
         all.push_back(std::move(*found));
     }

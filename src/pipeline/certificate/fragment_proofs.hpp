@@ -18,7 +18,8 @@ public:
     struct Proof {
         FragmentContent content = {};
         FragmentStates found = {};
-        std::optional<Property> property = {};  ///< the proved property; empty if the states only exclude model errors
+        std::vector<Property> properties =
+            {};  ///< the proved properties; empty if the states only exclude model errors
     };
 
     /// `flat` is expanded. Both arguments must outlive the object.
@@ -31,21 +32,28 @@ public:
     /// excluded.
     bool exclude_errors();
     const std::vector<Proof>& proofs() const { return proofs_; }
+    /// Returns the sets of states that restrict the choices of the proofs.
+    const std::vector<FragmentStates>& bounds() const { return bounds_; }
 
     /// Returns the states of each subsystem, which prove `no deadlock`. Returns nothing if a subsystem is unsuitable.
     std::optional<std::vector<FragmentStates>> subsystems() const;
 
 private:
-    bool add(const FragmentContent& content, const Property* property);
+    bool add(FragmentContent content, const Property* property);
     bool prove_by_cells(std::vector<std::uint32_t> chosen, const Property* property);
     FragmentContent content_of(const LocalNetwork& local) const;
     FragmentContent content_of_parts(const std::vector<std::uint32_t>& chosen) const;
     bool prove_by_inputs(const InputsAbstracted& reduced, const Property& property);
+    bool prove_again(const Property& property);
+    void omit_unread(FragmentContent& content, const Property& property) const;
+    void add_bounds(Id<Network::Process> process);
 
     const Network& flat_;
     const FragmentLimits& limits_;
     NetworkFragments cells_;
     std::vector<Proof> proofs_ = {};
+    std::vector<FragmentStates> bounds_ = {};
+    std::set<Id<Network::Process>> bounded_ = {};  ///< the processes that were explored for `bounds_`
 };
 
 }  // namespace grafverif
