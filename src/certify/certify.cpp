@@ -41,7 +41,7 @@ struct Graph {
         if (!std::ranges::binary_search(states, initial)) reject(file_ + " does not contain the initial state");
         for (Index i = 0; i < states.size(); ++i) {
             for (Index k = 0; k < initial.size(); ++k)  // only a variable that is assigned can be open
-                if (states[i][k] == unknown && semantics_.known[k] != unknown && !network.writers.contains(k))
+                if (states[i][k] == unknown && semantics_.known[k] != unknown && !network.assigned.contains(k))
                     reject_state(i, "is invalid");
             Moves moves = semantics_.moves(states[i]);
             waits_.push_back(moves.waits);

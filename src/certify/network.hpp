@@ -26,7 +26,7 @@ using State = std::vector<Int>;  // in the order of declaration: values of varia
 
 inline constexpr Int greatest_clock = Int{1} << 60;
 inline constexpr Int unknown = INT64_MIN;  // in State: the state of a fragment does not contain this value
-inline constexpr Index most_nesting = 500, most_depth = 5000, most_choices = 1'000'000, most_alone = 4096;
+inline constexpr Index most_nesting = 500, most_depth = 5000, most_choices = 1'000'000;
 
 /// Thrown if the files are well-formed but do not prove the claims; the exit code is 1.
 using Rejected = std::domain_error;
@@ -171,8 +171,8 @@ struct Network {
     std::vector<Term> terms = {Term{}};  // all terms; index 0 is not used
     Index settled = 0;                   // term
     State initial = {};
-    std::vector<std::pair<Int, Int>> ranges = {};   // range of each value of State, by its index
-    std::map<Index, std::set<Index>> writers = {};  // the processes that assign a variable (index in State)
+    std::vector<std::pair<Int, Int>> ranges = {};  // range of each value of State, by its index
+    std::set<Index> assigned = {};                 // variables that some edge assigns (index in State)
 
 private:
     void read_line(const std::string& kind) {
@@ -213,7 +213,7 @@ private:
         else if (edge && kind == "reset") edge->resets.insert(find(words_, "clock " + process.name + ' '));
         else if (edge && kind == "set") {
             const Index target = find(words_, "variable ");
-            writers[target].insert(processes.size());
+            assigned.insert(target);
             edge->assignments.emplace_back(target, term());
         } else words_.fail("unexpected `" + kind + "`");
     }

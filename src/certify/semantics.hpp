@@ -11,11 +11,16 @@
 // whose urgent edges are considered.
 //
 // Some states of a fragment may contain the value of a variable that other states do not contain. Such a variable is
-// *open* in a state without its value: its value is chosen when a move reads it, and the successor contains the choice.
-// An assignment of an open or unknown variable makes the target open. Locations and clocks are never open.
+// *open* in a state without its value: its value is chosen when a move reads it. The successor contains the choice,
+// unless the edge assigns the variable. A copy of a variable without known or chosen value is open. Locations and clocks
+// are never open.
 //
-// Choices agree with the *bounds*: sets of states of other fragments that contain all reachable states. Time may pass
-// in steps of several units if all bounds of known clocks are multiples of a step and none is strict.
+// Choices agree with the *bounds*: sets of states of other fragments that contain all reachable states.
+//
+// Delays may have a *step* of several units if each bound of a known clock is a multiple of the step and not strict. If
+// the times of all moves of a run are rounded up to multiples of the step, the clocks satisfy the same bounds of this
+// kind. At each multiple in a rounded delay, time also passes in the run. Therefore, an urgent edge stops time only if
+// its condition does not depend on clocks.
 //
 // A *subsystem* is a fragment without moves of processes whose locations are unknown. A subsystem
 // must neither read an unknown value nor contain a variable that a process with an unknown location
@@ -26,8 +31,7 @@
 
 namespace certify {
 
-/// The successors of a state. If time can pass (`waits`), the last successor is the state after one
-/// unit of time.
+/// The successors of a state. If time can pass (`waits`), the last successor is the state after a delay.
 struct Moves {
     std::vector<State> next = {};
     bool waits = false;
@@ -60,7 +64,11 @@ struct Semantics : Fragment {
                 if (kind == "states" && of.terms[edge.guard].low == unknown) acts = true;
                 if (kind == "states" && std::ranges::any_of(edge.assignments, errs)) acts = true;
                 if (own || acts) edges_.emplace_back(p, &edge);
-                if (edge.urgent && (own || reacting.contains(p))) urgent_.emplace_back(p, &edge);
+                const auto is_reset = [&](const Constraint& one) { return edge.resets.contains(std::get<0>(one)); };
+                const bool timed =
+                    !edge.constraint.empty() || !std::ranges::all_of(of.processes[p].invariants[edge.to], is_reset);
+                if (edge.urgent && (own || reacting.contains(p)) && (step == 1 || !timed))
+                    urgent_.emplace_back(p, &edge);
             }
         }
     }

@@ -181,7 +181,13 @@ private:
             if (is_subsystem() && !own && acts) throw NoFragment();
             edges_.push_back(std::make_unique<Edge>(std::move(made)));
             if (own || acts || (errs && content_.kind == FragmentKind::States)) acting_.push_back(edges_.back().get());
-            if (edge.urgent && (own || content_.reacting.contains(id))) urgent_.push_back(edges_.back().get());
+            const auto is_reset = [&](const Network::ClockConstraint& one) {
+                return std::ranges::find(edge.resets, one.clock) != edge.resets.end();
+            };
+            const bool timed =
+                !edge.constraint.empty() || !std::ranges::all_of(automaton.locations[edge.to].invariant, is_reset);
+            if (edge.urgent && (own || content_.reacting.contains(id)) && (content_.step == 1 || !timed))
+                urgent_.push_back(edges_.back().get());
         }
     }
 
@@ -420,7 +426,7 @@ std::int64_t greatest_step(const Network& flat, const FragmentContent& content) 
     const auto add = [&](const std::vector<Network::ClockConstraint>& list) {
         for (const Network::ClockConstraint& one : list)
             step = one.relation == Op::Less || one.relation == Op::Greater
-                       ? 1
+                       ? 1  // all later divisors are 1, too
                        : std::gcd(step, bound_value(flat, {}, one.bound));
     };
     for (const Id<Network::Process> id : flat.processes.ids()) {

@@ -133,8 +133,8 @@ bool FragmentProofs::prove_again(const Property& property) {
     return found != proofs_.end();
 }
 
-/// A chosen instance is unknown, with all variables that it writes. In the first attempt, the flags by which it requests
-/// a cycle of a PLC are also unknown. An untimed instance has unknown clocks.
+/// A chosen instance is unknown, with all variables that it writes. In the first attempt, the flags by which it
+/// requests a cycle of a PLC are also unknown. An untimed instance has unknown clocks.
 bool FragmentProofs::prove_by_inputs(const InputsAbstracted& reduced, const Property& property) {
     if (prove_again(property)) return true;
     for (const bool keeps_flags : {false, true}) {
