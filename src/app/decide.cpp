@@ -178,9 +178,10 @@ std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceL
     const auto begin = std::chrono::steady_clock::now();
     const auto reserved = trial_time(of_chart ? Deadline{} : deadline);
     if (deadline) options.limits.deadline = *deadline - reserved;
-    // With --why, half of the time limit is reserved for finding the elements on which the proofs depend.
+    // With --why or --certificate, half of the time limit is reserved for finding the elements on which the proofs
+    // depend, or for the certificate.
     CheckOptions of_check = options;
-    if (job.options.why) of_check.limits.deadline = share_of(options.limits.deadline, 2);
+    if (job.options.why || job.options.certificate) of_check.limits.deadline = share_of(options.limits.deadline, 2);
     Decided decided;
     std::optional<Report> found;
     if (of_chart) {

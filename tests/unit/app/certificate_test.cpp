@@ -122,6 +122,19 @@ TEST(Certificate, ARunProvesAVerdictWithoutACompleteSearch) {
         EXPECT_NE(certified.out.find(claim), std::string::npos) << claim << certified.out;
 }
 
+/// The verdict on `serves` is unknown. The check therefore uses all of its time, which is half of the time limit.
+TEST(Certificate, HasTimeAlsoIfAVerdictIsUnknown) {
+    const Folder folder;
+    const std::string lift = (root / "bench/stations/independent/goods_lift.grafcet").string();
+    const Result result = grafverif({"check", lift, "--property", "contactors", "--property", "serves", "--timeout",
+                                     "10s", "--certificate", folder.file("lift")});
+    ASSERT_NE(result.out.find("\ncontactors                  holds"), std::string::npos) << result.out << result.err;
+    EXPECT_NE(result.out.find("serves is not certified: the verdict is unknown"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("  set of states of a fragment: contactors\n"), std::string::npos) << result.out;
+    const Certified certified = certify(folder.file("lift"));
+    EXPECT_NE(certified.out.find("\ncontactors: holds, proved by the states\n"), std::string::npos) << certified.out;
+}
+
 constexpr const char* lamp_chart =
     "grafcet lamp { input ON; output LAMP; internal C: int 0..3 = 0; initial step 0; step 1 { LAMP; C := 1 on "
     "activation; }\n transition on: 0 -> 1 when ON; transition off: 1 -> 0 when !ON; }\n"
