@@ -85,10 +85,11 @@ private:
     const Network& network_;
 };
 
-/// Explores processes alone, for all values of the variables of other processes.
-class Alone {
+/// Explores each process separately, for all values of the variables of other processes.
+class SingleProcesses {
 public:
-    explicit Alone(const Network& network) : network_(network), users_(network), clocks_(analyse_clocks(network)) {}
+    explicit SingleProcesses(const Network& network)
+        : network_(network), users_(network), clocks_(analyse_clocks(network)) {}
 
     /// True if the exploration shows that the process assigns no value outside the range of a variable. PLCs are not
     /// explored.
@@ -127,7 +128,7 @@ bool terms_have_values(const Network& network) {
 
 std::set<std::uint32_t> cells_that_may_err(const Network& network, const NetworkFragments& cells) {
     const Faults faults(network);
-    Alone alone(network);
+    SingleProcesses single(network);
     std::set<std::uint32_t> found;
     const auto cell_of = [&](Id<Expr> leaf) {
         return cells.of_variable[static_cast<std::size_t>(network.exprs[leaf].value)];
@@ -155,7 +156,7 @@ std::set<std::uint32_t> cells_that_may_err(const Network& network, const Network
                         }
                     continue;
                 }
-                if (faults.stays_in_range(edge, assignments, k) || alone.stays_in_range(id)) continue;
+                if (faults.stays_in_range(edge, assignments, k) || single.stays_in_range(id)) continue;
                 const std::uint32_t process = cells.of_process[id.index];
                 found.insert(process != NetworkFragments::none ? process : cell_of(target));
             }

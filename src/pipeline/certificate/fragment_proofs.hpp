@@ -18,8 +18,7 @@ public:
     struct Proof {
         FragmentContent content = {};
         FragmentStates found = {};
-        std::vector<Property> properties =
-            {};  ///< the proved properties; empty if the states only exclude model errors
+        std::vector<Property> properties = {};  ///< proved properties; empty if the states exclude only model errors
     };
 
     /// `flat` is expanded. Both arguments must outlive the object.
