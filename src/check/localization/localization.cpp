@@ -31,14 +31,15 @@ bool wanted(const Property& property) { return property.pattern == Pattern::Reac
 bool is_decided_separately(const Verdict& verdict) { return verdict.scope.cells || verdict.abstraction; }
 
 /// True if `options` select a property that localization can decide, or that the caller of a CellSearch can decide
-/// between the steps of the search.
+/// between the steps of the search. An undeclared `no timelock` is such a property.
 bool has_local(const Network& network, const TimedOptions& options) {
-    return terms_have_values(network) && std::ranges::any_of(network.properties, [&](const Property& property) {
-               const Pattern pattern = property.pattern;
-               return timed::is_selected(options, property) &&
-                      (is_about_states(pattern) || is_liveness(pattern) || pattern == Pattern::NoDeadlock ||
-                       pattern == Pattern::NoTimelock || pattern == Pattern::AlwaysPossible);
-           });
+    const auto is_local = [&](const Property& property) {
+        const Pattern pattern = property.pattern;
+        return timed::is_selected(options, property) &&
+               (is_about_states(pattern) || is_liveness(pattern) || pattern == Pattern::NoDeadlock ||
+                pattern == Pattern::NoTimelock || pattern == Pattern::AlwaysPossible);
+    };
+    return terms_have_values(network) && (options.timelock || std::ranges::any_of(network.properties, is_local));
 }
 
 }  // namespace

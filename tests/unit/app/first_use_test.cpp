@@ -181,6 +181,14 @@ TEST(FirstUse, OptionWithoutEffectIsRejected) {
     }
 }
 
+/// The complete loop has too many states. The undeclared property is proved without it, as if it were declared.
+TEST(FirstUse, UndeclaredTimelockOfAStationIsProvedIfItIsSelected) {
+    const std::string lift = (root / "bench/stations/independent/goods_lift.grafcet").string();
+    const Result result = grafverif({"check", lift, "--property", "no_timelock", "--max-states", "200000"});
+    EXPECT_EQ(result.code, ExitCode::Done) << result.out << result.err;
+    EXPECT_NE(result.out.find("\nno_timelock (not declared)  holds"), std::string::npos) << result.out;
+}
+
 TEST(FirstUse, StepOfAPropertyIsSelectedByTheNameOfItsVerdict) {
     const Result one = grafverif({"check", pick_and_place, "--property", "all_steps.X11", "--format", "json"});
     EXPECT_EQ(one.code, ExitCode::Done) << one.err;
