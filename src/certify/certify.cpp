@@ -137,6 +137,11 @@ bool is_trap(const Property& property, const State& from, Semantics& semantics) 
 /// True if the run shows that the property is violated or, for `reachable`, that it holds.
 bool shows(const std::vector<State>& run, const Property& property, Semantics& semantics) {
     const auto is_goal = [&](const State& state) { return semantics.is_goal(property, state, false, false); };
+    const Term& race = semantics.network.terms[property.operands.empty() ? 0 : property.operands[0]];
+    // A variable with a single value represents a race: only a model error assigns another value.
+    if (property.pattern == Pattern::Never && !property.stable && race.op == Op::Value && race.low == race.high &&
+        semantics.moves(run.back()).exceeded.contains(race.place))
+        return true;
     if (property.pattern <= Pattern::ExactlyOne) return semantics.decides(property, run.back());
     if (property.pattern >= Pattern::Possible) {
         // It is sufficient to test the last state: if an earlier state is a trap, the last state is also a trap,

@@ -36,6 +36,7 @@ struct Moves {
     std::vector<State> next = {};
     bool waits = false;
     std::set<std::string> errors = {};  // the model errors of edges that can be taken
+    std::set<Index> exceeded = {};      // variables to which these edges assign a value outside their ranges
 };
 
 /// The values and moves that a set of states represents.
@@ -189,7 +190,10 @@ private:
                 Int& variable = (known[target] == unknown ? free_ : next)[target];
                 if (fits(target, term) && (known[target] == unknown || is_open(term, next)))
                     free_[target] = variable = unknown;
-                else if (variable = value(term, next); variable < low || variable > high) throw NoValue();
+                else if (variable = value(term, next); variable < low || variable > high) {
+                    made.exceeded.insert(target);
+                    throw NoValue();
+                }
             }
             if (now[process.place] != unknown) next[process.place] = static_cast<Int>(edge->to);
             for (const Index clock : edge->resets)

@@ -11,12 +11,6 @@ namespace grafverif {
 
 namespace {
 
-bool about_race(const Network& network, const Property& property) {
-    if (!network.race.valid() || property.pattern != Pattern::Never || property.at_stable) return false;
-    const Expr& operand = network.exprs[property.operands[0]];
-    return operand.op == Op::Variable && operand.value == network.race.index;
-}
-
 /// Returns the parts that the operands of `property` read. If an operand reads a variable that has copies in several
 /// parts, the result contains all parts.
 PartNumbers read_by(const Network& network, const NetworkSubsystems& parts, const Property& property) {
@@ -64,7 +58,7 @@ std::vector<SubsystemQuery> subsystem_queries(const Network& network, const Netw
             continue;
         }
         const bool of_moves = property.pattern == Pattern::NoDeadlock || property.pattern == Pattern::NoTimelock;
-        question.race = about_race(network, property);
+        question.race = timed::about_race(network, property);
         question.each = question.race || (of_moves && !property.at_stable);
         list.push_back(std::move(question));
     }

@@ -105,7 +105,6 @@ private:
     void search_complete_model();
     bool is_open() const;
     void collect_queries();
-    bool about_race(const Property& property) const;
     void search_round();
     bool awaits_verdict() const;
     bool is_open(std::size_t k) const { return result_.verdicts[k].outcome == Outcome::Unknown; }
@@ -177,7 +176,7 @@ void LocalizationCheck::collect_queries() {
         if (!is_about_single_states(property.pattern)) continue;
         if (property.at_stable && !result_.settles) continue;
         const Cells read = cells_read(network_, cells_, property);
-        if (about_race(property)) race_ = k;
+        if (timed::about_race(network_, property)) race_ = k;
         if (read.empty() || read.size() == cells_.count) continue;
         questions_[k] = std::move(property);
         groups[read].push_back(k);
@@ -186,12 +185,6 @@ void LocalizationCheck::collect_queries() {
     if (ablations_.unproven)
         for (const std::optional<Property>& question : questions_)
             if (question) know(*question);
-}
-
-bool LocalizationCheck::about_race(const Property& property) const {
-    if (!network_.race.valid() || property.pattern != Pattern::Never || property.at_stable) return false;
-    const Expr& operand = network_.exprs[property.operands[0]];
-    return operand.op == Op::Variable && operand.value == network_.race.index;
 }
 
 /// A search that reaches the state limit of a round is repeated in the next round, with a greater limit. Therefore a
@@ -313,7 +306,7 @@ void LocalizationCheck::search(Task task) {
 /// the first model error, so results that are derived with the invariant are valid in these states. If a model error is
 /// possible, no result of localization is reported.
 void LocalizationCheck::know(const Property& property) {
-    if (property.at_stable || about_race(property)) return;
+    if (property.at_stable || timed::about_race(network_, property)) return;
     const Id<Expr> term = property.operands[0];
     const bool is_true = property.pattern == Pattern::Always;
     if (!is_true && property.pattern != Pattern::Never) return;

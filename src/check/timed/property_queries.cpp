@@ -32,6 +32,12 @@ Property undeclared_timelock(const Network& network) {
 
 bool about_time(const Property& property) { return property.pattern == Pattern::NoTimelock && !property.at_stable; }
 
+bool about_race(const Network& network, const Property& property) {
+    if (!network.race.valid() || property.pattern != Pattern::Never || property.at_stable) return false;
+    const Expr& operand = network.exprs[property.operands[0]];
+    return operand.op == Op::Variable && operand.value == network.race.index;
+}
+
 bool is_selected(const TimedOptions& options, const Property& property) {
     return options.properties.empty() || about_time(property) ||
            std::ranges::find(options.properties, property.name) != options.properties.end();

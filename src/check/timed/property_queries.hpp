@@ -19,6 +19,8 @@ namespace grafverif::timed {
 Property undeclared_timelock(const Network& network);
 /// True if `property` is `no timelock` without `at stable`.
 bool about_time(const Property& property);
+/// True if `property` states that no race is possible: it is `never` of the flag Network::race, without `at stable`.
+bool about_race(const Network& network, const Property& property);
 
 /// Reason of the unknown verdict on `no timelock` if an input abstraction has a cycle of urgent edges.
 inline constexpr const char* endless_instants = "the abstraction has a cycle of urgent edges, in which no time passes";

@@ -123,12 +123,20 @@ private:
     std::optional<std::string> proving_run(const Verdict& verdict) const {
         const Property property = reported_property(flat_, verdict);
         const Outcome outcome = property.pattern == Pattern::Reachable ? Outcome::Holds : Outcome::Violated;
-        if (!verdict.run || verdict.outcome != outcome || ends_with_race(*verdict.run)) return {};
-        if (!decides(flat_, *verdict.run, property.pattern)) return {};
+        if (!verdict.run || verdict.outcome != outcome) return {};
+        if (timed::about_race(flat_, property)) return run_before_race(*verdict.run);
+        if (ends_with_race(*verdict.run) || !decides(flat_, *verdict.run, property.pattern)) return {};
         const std::vector<NetworkState> states = replay(flat_, *verdict.run).value();
         const bool is_proved = is_liveness(property.pattern) ? avoids(property, states, verdict.run->loop)
                                                              : ends_with_decision(property, states.back());
         return is_proved ? certificate::run_text(flat_, *verdict.run, most_bytes) : std::nullopt;
+    }
+
+    /// Returns the lines of a run to the state before a race. The edge that causes the race has no successor.
+    std::optional<std::string> run_before_race(Run run) const {
+        if (run.moves.empty() || !ends_with_race(run)) return {};
+        run.moves.pop_back();
+        return ends_with_race(run) ? std::nullopt : certificate::run_text(flat_, run, most_bytes);
     }
 
     /// False if the property has `at stable` and the state is not quiescent.
@@ -237,8 +245,11 @@ private:
                 (explores ? values + 16 * states.size() > most_explored : !found->run && values >= most_values))
                 reason = "the set of states is too large";
             if (reason.empty() && found->run) {
-                if (ends_with_race(*found->run)) reason = "the run that proves the verdict ends with a race";
-                else if (!(run = certificate::run_text(flat_, *found->run, most_bytes)))
+                const bool shows_race = timed::about_race(flat_, decided_property(flat_, *found));
+                if (ends_with_race(*found->run) && !shows_race)
+                    reason = "the run that proves the verdict ends with a race";
+                else if (!(run = shows_race ? run_before_race(*found->run)
+                                            : certificate::run_text(flat_, *found->run, most_bytes)))
                     reason = "the run that proves the verdict is too long";
             }
             if (!reason.empty()) omit(*verdict, std::move(reason));

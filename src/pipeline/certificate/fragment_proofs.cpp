@@ -7,6 +7,7 @@
 
 #include "check/localization/faults.hpp"
 #include "check/shares.hpp"
+#include "check/timed/property_queries.hpp"
 #include "ir/network_subsystems.hpp"
 #include "ir/slots.hpp"
 
@@ -164,10 +165,7 @@ bool FragmentProofs::prove(const Verdict& reported, const Property& property) {
                               property.pattern == Pattern::Reachable || property.pattern == Pattern::ExactlyOneOf;
     if (!about_states || (property.at_stable && !flat_.settled.valid())) return false;
     if (reported.abstraction) return prove_by_inputs(*reported.abstraction, property);
-    const bool of_race = property.operands.size() == 1 && flat_.race.valid() &&
-                         flat_.exprs[property.operands[0]].op == Op::Variable &&
-                         flat_.exprs[property.operands[0]].value == flat_.race.index;
-    if (of_race) {  // no state of a fragment has a race, because a race is a model error
+    if (timed::about_race(flat_, property)) {  // no state of a fragment has a race, because a race is a model error
         if (proofs_.empty()) return prove_by_cells({0}, &property);
         proofs_.back().properties.push_back(property);
         return true;
