@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <iterator>
 #include <set>
 #include <utility>
@@ -48,32 +47,6 @@ OpenProperties open_properties(const Report& report) {
     return found;
 }
 
-/// Tries to prove `no deadlock` and `no timelock` by the arguments about processes and PLC cycles, after a search of few
-/// states. These proofs also exclude model errors. If the network has many states, they usually need less time than a
-/// search. Removes the proved properties from `options`; returns true if `no timelock` is proved.
-bool prove_briefly(const LoopToCheck& loop, CheckOptions& options) {
-    CheckOptions brief = options;
-    std::erase_if(brief.properties, [&](const std::string& name) {
-        const auto found = std::ranges::find(loop.network.properties, name, &Property::name);
-        // Only `no timelock` can be requested without a declaration.
-        return found != loop.network.properties.end() && found->pattern != Pattern::NoDeadlock &&
-               found->pattern != Pattern::NoTimelock;
-    });
-    if (brief.properties.empty()) return false;
-    const Observe nothing = std::identity{};
-    StagedSearch search(loop, nothing, loop.network, brief, {.profile = false});
-    search.begin(options.limits.deadline, {.whole = search_rounds[0] >> 2U, .local = 0});
-    (void)search.refine(search_rounds[0], options.limits.deadline);
-    const TimedResult found = search.result();
-    bool time_passes = false;
-    for (const Verdict& verdict : found.verdicts) {
-        if (verdict.outcome != Outcome::Holds || !found.errors.empty()) continue;
-        std::erase(options.properties, verdict.property);
-        time_passes = time_passes || verdict.pattern == Pattern::NoTimelock;
-    }
-    return time_passes;
-}
-
 }  // namespace
 
 std::string base_name(const std::string& property, Pattern pattern) {
@@ -103,12 +76,6 @@ Report check_in_passes(const LoopToCheck& loop, CheckOptions options, const Faul
                        double expected) {
     Report report;
     const Deadline deadline = options.limits.deadline;
-    bool proved = false;
-    if (expected > static_cast<double>(request.first_states >> 3U) && timelock) {
-        options.limits.deadline = share_of(deadline, 4);
-        proved = prove_briefly(loop, options);
-        if (options.properties.empty()) return report;
-    }
     const bool swaps = expected > static_cast<double>(request.first_states) && expected <= second_states;
     bool limited = false;
     for (const int pass : swaps ? std::array{2, 1, 3} : std::array{1, 2, 3}) {
@@ -117,8 +84,7 @@ Report check_in_passes(const LoopToCheck& loop, CheckOptions options, const Faul
         if (pass == 3) options.limits.states.reset();
         else options.limits.states = pass == 1 ? request.first_states : second_states;
         options.whole = pass == 2;
-        // With `no timelock`, the last pass is that of a plain check.
-        merge(check_without_causes(loop, options, timelock && (pass == 3 || !proved)), report);
+        merge(check_without_causes(loop, options, timelock), report);
         const OpenProperties open = open_properties(report);
         options.properties.assign(open.names.begin(), open.names.end());
         limited = open.limited || (limited && pass == 1);

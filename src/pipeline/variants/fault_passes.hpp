@@ -5,10 +5,6 @@
 // only a few more states than the limit above which localization is used. Therefore the second pass searches the
 // complete network, which then needs less time than localization. The last pass has no limit on the number of states.
 //
-// If the network is expected to have more than an eighth of these states, `no deadlock` and `no timelock` are proved
-// first, without a search of the complete network (docs/explanation/input-abstraction.md). The later passes then need
-// neither edges nor model errors.
-//
 // If the network is expected to have more states than the first pass explores, but not more than the second pass
 // explores, the second pass is made first. It then has half of the time, and the first pass follows for all undecided
 // properties. Therefore, without a time limit, both orders decide the same properties.
@@ -34,7 +30,7 @@ double states_of(const Report& report);
 
 /// Checks the properties of `options` in passes. If `timelock` is false, an undeclared `no timelock` has no verdict, and
 /// model errors that no requested property needs may remain unknown. `expected` is the expected number of states of the
-/// network; 0 if unknown. The report contains no result for a property that was proved before the passes.
+/// network; 0 if unknown.
 Report check_in_passes(const LoopToCheck& loop, CheckOptions options, const FaultsRequest& request, bool timelock,
                        double expected);
 
