@@ -320,21 +320,21 @@ Certificate certificate_of(const LoopToCheck& loop, const Report& report, const 
     Certificate certificate;
     const std::vector<Id<Property>> by_observers = watched(loop.network);
     std::vector<const Verdict*> others;
-    std::vector<std::pair<Id<Property>, const Verdict*>> observed_ones;
+    std::vector<std::pair<Id<Property>, const Verdict*>> with_observers;
     for (const PropertyResult& answer : report.answers) {
         const auto found = std::ranges::find_if(
             by_observers, [&](Id<Property> id) { return loop.network.properties[id].name == answer.verdict.property; });
         if (found == by_observers.end()) others.push_back(&answer.verdict);
-        else observed_ones.emplace_back(*found, &answer.verdict);
+        else with_observers.emplace_back(*found, &answer.verdict);
     }
     // Complete searches come last, because they may use all of the time.
     TimedOptions search = timed_options(loop, options);
     search.properties = {};
     search.timelock = true;
-    FolderWriter main(expand(by_observers.empty() ? loop.network : observed(loop.network, {})), "", certificate);
-    main.begin(others, search);
+    FolderWriter complete(expand(by_observers.empty() ? loop.network : observed(loop.network, {})), "", certificate);
+    complete.begin(others, search);
     std::deque<FolderWriter> subfolders;
-    for (const auto& [id, verdict] : observed_ones) {
+    for (const auto& [id, verdict] : with_observers) {
         search.properties = {verdict->property};
         search.timelock = false;
         subfolders.emplace_back(expand(observed(loop.network, {id})), folder_of(verdict->property), certificate);
@@ -342,7 +342,7 @@ Certificate certificate_of(const LoopToCheck& loop, const Report& report, const 
     }
     std::string more;
     for (FolderWriter& subfolder : subfolders) more += subfolder.finish();
-    main.finish(more);
+    complete.finish(more);
     std::ranges::stable_sort(certificate.summary.certified, {}, [&](const CertificateSummary::Certified& one) {
         return std::ranges::find(report.answers, one.property,
                                  [](const PropertyResult& answer) { return answer.verdict.property; });

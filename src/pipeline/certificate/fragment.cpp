@@ -31,7 +31,7 @@ class FragmentSearch {
 public:
     FragmentSearch(const Network& flat, const FragmentContent& content, const std::vector<FragmentStates>& bounds,
                    const FragmentLimits& limits)
-        : network_(flat), content_(content), outer_(bounds), limits_(limits), clocks_(analyse_clocks(flat)) {
+        : network_(flat), content_(content), choice_bounds_(bounds), limits_(limits), clocks_(analyse_clocks(flat)) {
         find_places();
         find_bounds();
         for (const Id<Network::Process> id : flat.processes.ids()) add_edges(id);
@@ -265,7 +265,7 @@ private:
             });
         };
         return std::ranges::all_of(
-            outer_, [&](const FragmentStates& bound) { return std::ranges::any_of(bound.states, agrees); });
+            choice_bounds_, [&](const FragmentStates& bound) { return std::ranges::any_of(bound.states, agrees); });
     }
 
     std::optional<Values> after_delay(const Values& now) {
@@ -385,7 +385,7 @@ private:
 
     const Network& network_;
     const FragmentContent& content_;
-    const std::vector<FragmentStates>& outer_;  ///< bounds
+    const std::vector<FragmentStates>& choice_bounds_;  ///< sets of states that restrict choices
     const FragmentLimits& limits_;
     const std::vector<ProcessClocks> clocks_;
     Values first_ = {};                                               ///< the first state
@@ -410,9 +410,13 @@ FragmentContent complete_content(const Network& flat) {
             std::vector<bool>(flat.processes.size(), true)};
 }
 
+FragmentContent empty_content(const Network& flat) {
+    return {std::vector<bool>(flat.variables.size()), std::vector<bool>(flat.processes.size()),
+            std::vector<bool>(flat.processes.size())};
+}
+
 FragmentContent content_alone(const Network& flat, Id<Network::Process> process) {
-    FragmentContent content{std::vector<bool>(flat.variables.size()), std::vector<bool>(flat.processes.size()),
-                            std::vector<bool>(flat.processes.size())};
+    FragmentContent content = empty_content(flat);
     const VariableUsers users(flat);
     content.locations[process.index] = true;
     for (const Id<Network::Variable> variable : Slots(flat, process).written())

@@ -37,6 +37,9 @@ struct FragmentContent {
 /// Returns the content with all values of a network.
 FragmentContent complete_content(const Network& flat);
 
+/// Returns the content without any value of a network.
+FragmentContent empty_content(const Network& flat);
+
 /// Returns the content with the location of a process and the variables that only this process writes, as bounds.
 FragmentContent content_alone(const Network& flat, Id<Network::Process> process);
 

@@ -41,8 +41,7 @@ bool FragmentProofs::add(FragmentContent content, const Property* property) {
 /// Returns the content of the fragment that corresponds to a localization abstraction. A process reacts if it keeps an
 /// omitted variable at a fixed value while time passes, and an urgent edge of the fragment reads this variable.
 FragmentContent FragmentProofs::content_of(const LocalNetwork& local) const {
-    FragmentContent content{std::vector<bool>(flat_.variables.size()), std::vector<bool>(flat_.processes.size()),
-                            std::vector<bool>(flat_.processes.size())};
+    FragmentContent content = empty_content(flat_);
     std::set<std::string> variables, processes;
     for (const Network::Variable& variable : local.network.variables) variables.insert(variable.name);
     for (const Network::Process& process : local.network.processes) processes.insert(process.name);
@@ -202,8 +201,7 @@ bool FragmentProofs::exclude_errors() {
 /// Returns the content of some independent subsystems. Temporary variables of other subsystems are unknown.
 FragmentContent FragmentProofs::content_of_parts(const std::vector<std::uint32_t>& chosen) const {
     const NetworkSubsystems parts = parts_of(flat_);
-    FragmentContent content{std::vector<bool>(flat_.variables.size()), std::vector<bool>(flat_.processes.size()),
-                            std::vector<bool>(flat_.processes.size())};
+    FragmentContent content = empty_content(flat_);
     std::vector<bool> written(flat_.variables.size()), own(flat_.variables.size());
     for (const Id<Network::Process> id : flat_.processes.ids()) {
         const bool kept = std::ranges::find(chosen, parts.of_process[id.index]) != chosen.end();

@@ -3,13 +3,6 @@
 // without certificate.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstdint>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-
 #include "unit/app/certificate_files.hpp"
 #include "unit/app/run_program.hpp"
 

@@ -2,12 +2,8 @@
 // Tests the program `grafverif-certify`: its semantics, false claims, invalid files, and its size and independence.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "unit/app/certificate_files.hpp"
 #include "unit/app/run_program.hpp"
